@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// The sub-commands of the tool. Each file of this folder adds one to the application.
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace openltc::cli {
+
+/// Exit codes of the tool.
+enum ExitCode { k_exit_ok = 0, k_exit_failed = 1, k_exit_usage = 2 };
+
+/// Adds the sub-command with its options to `app`. When it is chosen, its callback runs the job,
+/// prints errors to stderr and stores the exit code in `exit_code`.
+void add_compare(CLI::App& app, int& exit_code);
+void add_fit(CLI::App& app, int& exit_code);
+void add_inspect(CLI::App& app, int& exit_code);
+void add_render(CLI::App& app, int& exit_code);
+
+} // namespace openltc::cli

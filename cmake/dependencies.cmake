@@ -1,0 +1,34 @@
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+#
+# Every library comes from the distribution; tools/packages.txt lists the packages.
+
+set(_hint "run tools/setup.sh, which installs every package of tools/packages.txt")
+
+find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(PNG REQUIRED)
+find_package(OpenEXR REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(draco REQUIRED)
+find_package(hwy REQUIRED)
+find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
+
+# Embree 3 or 4; render/embree.h hides the difference.
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED)
+endif()
+
+# Optional: Ubuntu 22.04 has no package of it.
+find_package(meshoptimizer QUIET)
+if(NOT meshoptimizer_FOUND)
+  message(STATUS "meshoptimizer not found: glTF files with EXT_meshopt_compression will be refused")
+endif()
+
+# Debian's CMake may otherwise pick a Python that is not the distribution's.
+find_program(OPENLTC_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)

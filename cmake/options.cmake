@@ -1,0 +1,22 @@
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+#
+# openltc::options carries the flags of every target of ours.
+
+add_library(openltc_options INTERFACE)
+add_library(openltc::options ALIAS openltc_options)
+target_compile_features(openltc_options INTERFACE cxx_std_20)
+target_include_directories(openltc_options INTERFACE ${PROJECT_SOURCE_DIR})
+
+# -fno-math-errno: without it sqrt() keeps a call for errno and lanes do not vectorise.
+# -ffp-contract=off: the same bytes from every compiler; lanes ask for FMA by name.
+target_compile_options(openltc_options INTERFACE
+  -Wall -Wextra -Wshadow -Wdouble-promotion -fno-math-errno -ffp-contract=off)
+if(OPENLTC_WERROR)
+  target_compile_options(openltc_options INTERFACE -Werror)
+endif()
+if(OPENLTC_SANITIZE)
+  target_compile_options(openltc_options INTERFACE
+    -fsanitize=${OPENLTC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(openltc_options INTERFACE -fsanitize=${OPENLTC_SANITIZE})
+endif()
