@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Constants. CONSTANT is a compile-time scalar in every target.
+
+CONSTANT k_pi = 3.14159265358979323846;
+CONSTANT k_inv_pi = 0.31830988618379067154;
+CONSTANT k_half_inv_pi = 0.15915494309189533577;
+
+/// Smallest microfacet width that shading uses: roughness 0.01. A perfect mirror has no finite
+/// density; at this width the lobe is 0.01 degrees wide, below what a pixel resolves, and single
+/// precision still carries it.
+CONSTANT k_min_alpha = 1.0e-4;
+
+/// Added under a division or a square root whose argument may vanish; far below any length in use.
+CONSTANT k_tiny = 1.0e-30;

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The shading frame: t1 in the plane of normal and view direction, t2 = n x t1, n.
+//
+// In it wo = (sin theta, 0, cos theta), so an isotropic BRDF depends on theta and roughness alone.
+
+struct Frame {
+  Vec3 t1; // unit, world space
+  Vec3 t2;
+  Vec3 n;
+};
+
+/// Frame of a unit normal and a unit direction to the viewer, world space. When the two are
+/// parallel any tangent serves; the branch-free basis of Duff et al. 2017, "Building an
+/// Orthonormal Basis, Revisited", equation 3, gives one.
+FN Frame shading_frame(Vec3 n, Vec3 wo) {
+  Vec3 in_plane = wo - n * dot(n, wo);
+  Real length2 = dot(in_plane, in_plane);
+
+  Real s = select(n.z < Real(0.0), Real(-1.0), Real(1.0));
+  Real a = Real(-1.0) / (s + n.z);
+  Vec3 any_tangent = Vec3(Real(1.0) + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
+
+  // Below this sine, 1e-4, rounding would dominate the direction; the lobe is round there.
+  Mask parallel = length2 < Real(1.0e-8);
+  Vec3 t1 = select(parallel, any_tangent, in_plane * inversesqrt(max(length2, Real(1.0e-8))));
+
+  Frame frame;
+  frame.t1 = t1;
+  frame.t2 = cross(n, t1);
+  frame.n = n;
+  return frame;
+}
+
+FN Vec3 to_shading(Frame frame, Vec3 v_world) {
+  return Vec3(dot(frame.t1, v_world), dot(frame.t2, v_world), dot(frame.n, v_world));
+}
+
+FN Vec3 to_world(Frame frame, Vec3 v_shading) {
+  return frame.t1 * v_shading.x + frame.t2 * v_shading.y + frame.n * v_shading.z;
+}

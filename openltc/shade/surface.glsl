@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// A shaded point: the reflectance equation for the lights of this project.
+//
+//   L_o = integral of (k_d c/pi + f_s) L_i cos_i,   f_s = D V F (GGX, Smith, Schlick).
+//
+// The diffuse part is what the specular one leaves, k_d = (1 - metallic)(1 - E_spec(wo)), with
+// E_spec the specular albedo from the table: it does not depend on wi, so Lambert stays a cosine
+// and its polygon integral exact.
+
+struct Surface {
+  Vec3 position; // world space
+  Frame frame;
+  Vec3 wo;       // shading space: (sin theta, 0, cos theta)
+  Real alpha;
+  Vec3 diffuse;  // k_d c, albedo of the Lambertian part
+  Vec3 f0;
+  Vec3 f90;
+  Lobe lobe;
+  Vec3 specular; // amplitude of the lobe
+};
+
+/// Prepares a point for shading. `normal` and `wo_world` are unit; `albedo` is (1 - metallic) c.
+FN Surface make_surface(LobeTable table, Vec3 position, Vec3 normal, Vec3 wo_world, Vec3 albedo,
+                        Vec3 f0, Vec3 f90, Real roughness) {
+  Surface s;
+  s.position = position;
+  s.frame = shading_frame(normal, wo_world);
+  s.wo = to_shading(s.frame, wo_world);
+  s.alpha = alpha_from_roughness(roughness);
+  s.f0 = f0;
+  s.f90 = f90;
+  FittedLobe fitted = fetch_lobe(table, s.alpha, s.wo.z);
+  s.lobe = fitted.lobe;
+  s.specular = specular_amplitude(fitted, f0, f90);
+  Real taken = max(max(s.specular.x, s.specular.y), s.specular.z);
+  s.diffuse = albedo * max(Real(1.0) - taken, Real(0.0));
+  return s;
+}
+
+/// Light from a polygon of radiance 1 in closed form, without shadow.
+FN Vec3 shade_polygon(Surface s, Polygon polygon) {
+  PolygonIntegral integral = integrate_polygon(polygon, s.position, s.frame, s.lobe);
+  return s.diffuse * integral.diffuse + s.specular * integral.specular;
+}
+
+/// The exact BRDF times cos_i for a direction of shading space: what the reference integrates.
+FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
+  return s.diffuse * eval_lambert(wi_shading) +
+         eval_ggx(s.wo, wi_shading, s.alpha, s.f0, s.f90);
+}
+
+/// The LTC approximation of eval_surface: lobe density times amplitude (MATHS section 5).
+FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
+  // Clipped to the surface's horizon like the polygon integral.
+  Real density = select(wi_shading.z > Real(0.0), eval_lobe(s.lobe, wi_shading), Real(0.0));
+  return s.diffuse * eval_lambert(wi_shading) + s.specular * density;
+}
+
+/// Probability with which sample_surface draws from GGX rather than from the cosine.
+FN Real specular_probability(Surface s) {
+  Real specular = max(max(s.specular.x, s.specular.y), s.specular.z);
+  Real diffuse = max(max(s.diffuse.x, s.diffuse.y), s.diffuse.z);
+  // Neither technique may starve while it has something to find.
+  Real p = specular / max(specular + diffuse, Real(k_tiny));
+  return select(diffuse > Real(0.0), min(max(p, Real(0.1)), Real(0.9)), Real(1.0));
+}
+
+/// Direction of shading space drawn from the BRDF; u.x also chooses between its two parts.
+FN Vec3 sample_surface(Surface s, Vec2 u) {
+  Real p = specular_probability(s);
+  Mask specular = u.x < p;
+  Real x = select(specular, u.x / p, (u.x - p) / max(Real(1.0) - p, Real(1.0e-6)));
+  Vec2 v = Vec2(min(max(x, Real(0.0)), Real(0.99999994)), u.y);
+  return select(specular, sample_ggx(s.wo, s.alpha, v), sample_lambert(v));
+}
+
+/// Density of sample_surface per solid angle.
+FN Real pdf_surface(Surface s, Vec3 wi_shading) {
+  Real p = specular_probability(s);
+  return p * pdf_ggx(s.wo, wi_shading, s.alpha) + (Real(1.0) - p) * pdf_lambert(wi_shading);
+}

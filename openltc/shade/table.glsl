@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Look-up of a fitted lobe and of the amplitudes that belong to it.
+//
+// Axes of the native table, N x N nodes, node (0,0) at roughness 0 and normal incidence:
+//   x = sqrt(alpha) = roughness,   y = sqrt(1 - cos theta).
+// Texel i of N lies at i/(N-1), so a texture is sampled at x (N-1)/N + 1/(2N): the half-texel rule.
+//
+// The prelude of each target gives two look-ups with bilinear interpolation at uv in [0, 1]:
+//   Vec4 lobe_table_coefficients(LobeTable, uv)  the mirror-frame coefficients A B C D
+//   Vec2 lobe_table_amplitudes(LobeTable, uv)    n1 = integral of D V cos,
+//                                                n5 = integral of D V cos (1 - wo.h)^5
+//   Real lobe_table_size(LobeTable)              N
+
+struct FittedLobe {
+  Lobe lobe;
+  Real n1; // directional albedo for F = 1
+  Real n5; // its Schlick-weighted part
+};
+
+/// Texture coordinate of a table axis: x in [0, 1] over N nodes.
+FN Real table_coordinate(Real x, Real size) {
+  Real inv_size = Real(1.0) / size;
+  return min(max(x, Real(0.0)), Real(1.0)) * (size - Real(1.0)) * inv_size + Real(0.5) * inv_size;
+}
+
+/// The lobe and amplitudes for a microfacet width and the cosine of the view angle.
+FN FittedLobe fetch_lobe(LobeTable table, Real alpha, Real cos_theta) {
+  Real size = lobe_table_size(table);
+  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
+  Vec2 uv = Vec2(table_coordinate(sqrt(alpha), size),
+                 table_coordinate(sqrt(Real(1.0) - c), size));
+  Vec2 amplitudes = lobe_table_amplitudes(table, uv);
+  FittedLobe fitted;
+  fitted.lobe = lobe_from_mirror(lobe_table_coefficients(table, uv), alpha, c);
+  fitted.n1 = amplitudes.x;
+  fitted.n5 = amplitudes.y;
+  return fitted;
+}
+
+/// Amplitude of the specular lobe: F0 n1 + (F90 - F0) n5, the albedo of the whole lobe.
+FN Vec3 specular_amplitude(FittedLobe fitted, Vec3 f0, Vec3 f90) {
+  return f0 * fitted.n1 + (f90 - f0) * fitted.n5;
+}

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The shading maths for one float per variable: namespace openltc::f32.
+
+#pragma once
+
+#include "openltc/target/resources.h"
+#include "openltc/target/vec.h"
+
+#include <cmath>
+
+namespace openltc::f32 {
+
+using Scalar = float;
+#include "openltc/target/scalar.inc"
+#include "openltc/target/shade_all.inc"
+#undef FN
+#undef CONSTANT
+
+} // namespace openltc::f32
