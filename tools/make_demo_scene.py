@@ -90,7 +90,7 @@ def add_spheres(file):
     attributes = {"attributes": {"POSITION": file.vectors(positions, "VEC3"),
                                  "NORMAL": file.vectors(normals, "VEC3")},
                   "indices": file.indices(triangles)}
-    gold = [1.0, 0.71, 0.29]
+    gold = [1.0, 0.65, 0.27]
     stops = [[0.01, 0.09, 0.32], [0.01, 0.30, 0.34], [0.05, 0.36, 0.12], [0.62, 0.42, 0.06],
              [0.66, 0.14, 0.04]]
 
@@ -99,8 +99,8 @@ def add_spheres(file):
         i = min(int(position), len(stops) - 2)
         return mix(stops[i], stops[i + 1], position - i)
 
-    return (add_sphere_row(file, attributes, "gold", lambda _: gold, 1, 0.40, 0.96, -0.55)
-            + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.27, 0.70, 0.75))
+    return (add_sphere_row(file, attributes, "gold", lambda _: gold, 1, 0.42, 0.98, -0.55)
+            + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.26, 0.80, 1.15))
 
 
 def facing(position, target):
@@ -125,33 +125,33 @@ def add_emitter(file, name, shape, color, luminance_nits, position, target):
 
 def add_lights(file):
     nodes = [
-        add_emitter(file, "rectangle", shapes.rectangle(0.62, 2.3), [1.0, 0.46, 0.14], 4000,
+        add_emitter(file, "rectangle", shapes.rectangle(0.62, 2.3), [1.0, 0.42, 0.10], 2600,
                     (-3.35, 1.30, -2.5), (-0.7, 1.0, 1.5)),
-        add_emitter(file, "hexagonal ring", shapes.hexagon_ring(1.16, 0.86), [0.12, 0.45, 1.0], 4500,
+        add_emitter(file, "hexagonal ring", shapes.hexagon_ring(1.16, 0.86), [0.06, 0.36, 1.0], 3000,
                     (0.0, 2.02, -3.0), (0.0, 1.6, 1.2)),
-        add_emitter(file, "L", shapes.l_shape(1.5, 2.3, 0.42), [1.0, 0.12, 0.26], 4000,
+        add_emitter(file, "L", shapes.l_shape(1.5, 2.3, 0.42), [1.0, 0.08, 0.24], 3000,
                     (3.15, 1.28, -2.5), (0.7, 1.0, 1.5)),
     ]
     nodes.append(file.add("nodes", {
-        "name": "soft box", "translation": [-2.2, 4.2, 3.4],
-        "rotation": facing((-2.2, 4.2, 3.4), (0.0, 0.3, 0.2)),
+        "name": "soft box", "translation": [-1.3, 4.4, 3.4],
+        "rotation": facing((-1.3, 4.4, 3.4), (0.0, 0.3, 0.2)),
         "extensions": {"EXT_lights_area": {"light": 0}}}))
     nodes.append(file.add("nodes", {
-        "name": "bulb", "translation": [3.2, 3.4, 2.6],
+        "name": "bulb", "translation": [3.0, 3.2, 2.8],
         "extensions": {"KHR_lights_punctual": {"light": 0}}}))
     file.document["extensions"] = {
         "EXT_lights_area": {"lights": [{
-            "name": "soft box", "type": "rect", "color": [1.0, 0.90, 0.77], "intensity": 10000,
+            "name": "soft box", "type": "rect", "color": [1.0, 0.90, 0.77], "intensity": 8000,
             "size": 1.6, "rect": {"aspect": 1.75}}]},
         "KHR_lights_punctual": {"lights": [{
-            "name": "bulb", "type": "point", "color": [1.0, 0.86, 0.66], "intensity": 3000}]}}
+            "name": "bulb", "type": "point", "color": [1.0, 0.80, 0.56], "intensity": 3200}]}}
     return nodes
 
 
 def add_camera(file):
     camera = file.add("cameras", {"name": "camera", "type": "perspective", "perspective": {
         "yfov": math.radians(27), "aspectRatio": 16 / 9, "znear": 0.1, "zfar": 100}})
-    position, target = (0.0, 1.95, 8.3), (0.0, 0.86, -0.5)
+    position, target = (0.0, 2.05, 8.4), (0.0, 0.88, -0.5)
     return file.add("nodes", {"name": "camera", "camera": camera, "translation": list(position),
                               "rotation": facing(position, target)})
 
