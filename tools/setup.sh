@@ -32,10 +32,10 @@ is_installed() { # package command
 is_available() { apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'; }
 
 is_supported_system() {
-  [[ -r /etc/os-release ]] || return 1
-  local id version
-  id="$(. /etc/os-release && echo "${ID:-}")"
-  version="$(. /etc/os-release && echo "${VERSION_ID:-999}")" # Debian testing has no number
+  local file="${OPENLTC_OS_RELEASE:-/etc/os-release}" id version # another file: for the tests
+  [[ -r "$file" ]] || return 1
+  id="$(unset ID; . "$file"; echo "${ID:-}")"
+  version="$(unset VERSION_ID; . "$file"; echo "${VERSION_ID:-999}")" # Debian testing has no number
   case "$id" in
     debian) [[ "${version%%.*}" -ge 12 ]] ;;
     ubuntu) [[ "${version%%.*}" -ge 22 ]] ;;
@@ -57,7 +57,7 @@ find_missing() {
     if ! is_installed "$package" "$command"; then
       if [[ "$entry" == \?* ]]; then optional+=("$package"); else needed+=("$package"); fi
     fi
-  done < <(entries)
+  done <<<"$(entries)"
 }
 
 as_root() {
