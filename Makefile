@@ -1,0 +1,48 @@
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+#
+# The commands a newcomer types. All of them go through the presets of CMakePresets.json.
+
+JOBS ?= $(shell nproc)
+CLANG_FORMAT ?= clang-format-14
+FUZZ_SECONDS ?= 60
+FUZZ_CXX ?= $(firstword $(shell command -v clang++-14 clang++ clang++-19 clang++-18))
+sources = $(shell git ls-files '*.h' '*.cpp')
+
+.PHONY: help setup build demo test bench format sanitize fuzz clean
+
+help: ## Print this list (default)
+	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
+
+setup: ## Install the system packages of tools/packages.txt
+	@tools/setup.sh
+
+build: setup ## Build the tool and the tests: build/release/bin/openltc
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS)
+
+demo: build ## Render the demo scene by LTC and by reference, and compare the two
+	@OPENLTC=build/release/bin/openltc tools/demo.sh
+
+test: build ## Run all tests
+	@tools/test.sh release
+
+bench: build ## Run the benchmarks
+	@tools/bench.sh build/release/bin
+
+format: ## Format the C++ sources in place
+	$(CLANG_FORMAT) -i $(sources)
+
+sanitize: setup ## Run all tests under the address and undefined-behaviour sanitizers
+	cmake --preset sanitizers
+	cmake --build --preset sanitizers --parallel $(JOBS)
+	@tools/test.sh sanitizers
+
+fuzz: setup ## Fuzz the importer for FUZZ_SECONDS (60)
+	@test -n "$(FUZZ_CXX)" || { echo "make fuzz needs clang (package clang-14)" >&2; exit 1; }
+	cmake --preset fuzz -DCMAKE_CXX_COMPILER=$(FUZZ_CXX)
+	cmake --build --preset fuzz --parallel $(JOBS) --target fuzz
+	@FUZZ_SECONDS=$(FUZZ_SECONDS) tools/fuzz.sh build/fuzz
+
+clean: ## Delete everything built and rendered
+	rm -rf build out

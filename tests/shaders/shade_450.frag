@@ -1,0 +1,27 @@
+#version 450
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The shading source as Vulkan GLSL. Textures and sampler are separate objects, the one form that
+// SPIR-V, WGSL, HLSL and MSL all have.
+
+layout(set = 0, binding = 0) uniform texture2D table_coefficients;
+layout(set = 0, binding = 1) uniform texture2D table_amplitudes;
+layout(set = 0, binding = 2) uniform sampler table_sampler;
+layout(set = 0, binding = 3, std140) uniform Polygons { vec4 openltc_polygons[256]; };
+#define openltc_table_coefficients sampler2D(table_coefficients, table_sampler)
+#define openltc_table_amplitudes sampler2D(table_amplitudes, table_sampler)
+
+#include "openltc/target/glsl.inc"
+#include "openltc/target/shade_all.inc"
+#include "tests/shaders/shade_body.inc"
+
+layout(location = 0) in vec3 in_position;
+layout(location = 1) in vec3 in_normal;
+layout(location = 2) in vec3 in_wo;
+layout(location = 3) in vec2 in_random;
+layout(location = 0) out vec4 out_color;
+
+void main() {
+  out_color = vec4(shade_everything(in_position, normalize(in_normal), normalize(in_wo), in_random), 1.0);
+}

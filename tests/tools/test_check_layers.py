@@ -1,0 +1,90 @@
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+"""The repository keeps its layers, and the checker notices each kind of breach."""
+
+import os
+import sys
+import tempfile
+import unittest
+
+k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(k_root, "tools"))
+import check_layers  # noqa: E402
+
+k_licence = "// Copyright (c) 2026 The OpenLTC authors\n// SPDX-License-Identifier: MIT\n"
+
+
+def check_tree(files):
+    """Breaches of a made-up tree: path -> text after the licence lines (whole text if bytes)."""
+    with tempfile.TemporaryDirectory() as root:
+        for path, text in files.items():
+            os.makedirs(os.path.join(root, os.path.dirname(path)), exist_ok=True)
+            with open(os.path.join(root, path), "wb") as stream:
+                stream.write(text if isinstance(text, bytes) else (k_licence + text).encode())
+        return check_layers.check(root)
+
+
+class Layers(unittest.TestCase):
+    def assert_breach(self, path, text, expected):
+        breaches = check_tree({path: text})
+        self.assertEqual(len(breaches), 1, breaches)
+        self.assertEqual(breaches[0][0], path)
+        self.assertIn(expected, breaches[0][2])
+
+    def assert_clean(self, path, text):
+        self.assertEqual(check_tree({path: text}), [])
+
+    def test_repository_keeps_its_rules(self):
+        breaches = check_layers.check(k_root)
+        self.assertEqual(breaches, [], "\n" + "\n".join("%s:%d: %s" % b for b in breaches))
+
+    def test_repository_is_really_read(self):
+        paths = list(check_layers.find_sources(k_root))
+        for path in ("openltc/shade/ggx.glsl", "openltc/scene/scene.h", "cli/main.cpp", ".ci/run"):
+            self.assertIn(path, paths)
+
+    def test_folders_include_upwards_only(self):
+        for position, folder in enumerate(check_layers.k_layers):
+            for lower in check_layers.k_layers[position + 1:]:
+                self.assertEqual(
+                    len(check_tree({"openltc/%s/a.h" % folder: '#include "openltc/%s/b.h"\n' % lower})),
+                    1, "%s includes %s" % (folder, lower))
+        self.assert_clean("openltc/render/a.cpp", '#include "openltc/scene/scene.h"\n#include <vector>\n')
+        self.assert_clean("openltc/fit/a.h", '#include "openltc/table/lobe_table.h"\n')
+
+    def test_rendering_does_not_know_fitting(self):
+        for folder in ("light", "scene", "render"):
+            self.assert_breach("openltc/%s/a.cpp" % folder, '#include "openltc/fit/fit.h"\n',
+                               "may not include fit")
+
+    def test_shade_includes_nothing(self):
+        self.assert_breach("openltc/shade/a.glsl", "#include <cmath>\n", "includes nothing")
+        self.assert_breach("openltc/shade/a.glsl", '#include "openltc/shade/b.glsl"\n',
+                           "includes nothing")
+
+    def test_library_does_not_include_its_users(self):
+        self.assert_breach("openltc/base/a.cpp", '#include "cli/commands.h"\n', "root")
+        self.assert_breach("openltc/base/a.cpp", '#include "result.h"\n', "root")
+
+    def test_heavy_headers_stay_in_source_files(self):
+        for header in ("embree3/rtcore.h", "tiny_gltf.h", "OpenEXR/ImfHeader.h", "png.h",
+                       "stb_image.h", "draco/compression/decode.h", "meshoptimizer.h"):
+            self.assert_breach("openltc/render/a.h", "#include <%s>\n" % header, ".cpp")
+            self.assert_clean("openltc/render/a.cpp", "#include <%s>\n" % header)
+        self.assert_clean("openltc/render/embree.h", "#include <embree4/rtcore.h>\n")
+
+    def test_every_file_names_its_licence(self):
+        for path in ("openltc/base/a.h", "tools/a.py", "cmake/a.cmake", "tests/shaders/a.frag"):
+            self.assert_breach(path, b"int x;\n", "licence")
+
+    def test_unknown_folder_is_noticed(self):
+        self.assert_breach("openltc/utils/a.h", "", "not in the list")
+
+    def test_root_list_file_stays_short(self):
+        head = k_licence.replace("//", "#").encode()
+        self.assert_breach("CMakeLists.txt", head + b"\n" * 90, "under 80 lines")
+        self.assertEqual(check_tree({"CMakeLists.txt": head + b"\n" * 70}), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,118 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+"""Checks the rules by which the repository is laid out.
+
+    tools/check_layers.py [ROOT]
+
+1. A folder of openltc/ includes only itself and folders above it in k_layers; shade includes
+   nothing, target only shade; light, scene and render do not include fit: fitting and rendering
+   meet only through a table. Nothing in openltc/ includes cli, tests or bench.
+2. Includes within the repository are written from its root.
+3. Embree, glTF, mesh codec and image file headers appear in .cpp files only; render/embree.h, a
+   private header that hides the difference between Embree 3 and 4, is the exception.
+4. Every source file begins with the two licence lines.
+5. The root CMakeLists.txt stays under 80 lines.
+
+Prints one line per breach, as file:line: what; exit code 1 if there is any.
+"""
+
+import os
+import re
+import sys
+
+k_layers = ["shade", "target", "base", "image", "brdf", "table", "fit", "light", "scene", "render"]
+k_source_endings = (".h", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh", ".mjs", ".cmake")
+k_source_names = ("CMakeLists.txt", "Makefile", "run")
+k_skipped_folders = {".git", "build", "out", "node_modules", "__pycache__"}
+k_root_list_lines = 80
+
+k_include = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+k_private_headers = re.compile(
+    r"^(embree[34]?/|tiny_gltf|draco/|meshoptimizer|OpenEXR/|Imf|png\.h|jpeglib|stb_|stb/)")
+k_private_headers_allowed = {"openltc/render/embree.h"}
+
+
+def allowed_folders(folder):
+    """The folders of openltc/ that a file of `folder` may include."""
+    if folder == "shade":
+        return {"shade"}
+    if folder == "target":
+        return {"shade", "target"}
+    above = set(k_layers[:k_layers.index(folder) + 1])
+    return above - {"fit"} if folder in ("light", "scene", "render") else above
+
+
+def find_sources(root):
+    """Paths of all source files, relative to root, in a fixed order."""
+    for folder, folders, names in os.walk(root):
+        folders[:] = sorted(f for f in folders if f not in k_skipped_folders)
+        for name in sorted(names):
+            if name.endswith(k_source_endings) or name in k_source_names:
+                yield os.path.relpath(os.path.join(folder, name), root)
+
+
+def check_licence(lines):
+    start = 1 if lines and lines[0].startswith(("#!", "#version")) else 0
+    head = lines[start:start + 2] + ["", ""]
+    if (re.match(r"^(//|#) Copyright \(c\) \d{4} The OpenLTC authors$", head[0])
+            and re.match(r"^(//|#) SPDX-License-Identifier: MIT$", head[1])):
+        return []
+    return [(start + 1, "the two licence lines are missing")]
+
+
+def check_library_include(path, form, header):
+    """Breaches by one #include of a file of openltc/; path is like openltc/render/camera.cpp."""
+    folder = path.split("/")[1]
+    if k_private_headers.match(header):
+        if not path.endswith(".cpp") and path not in k_private_headers_allowed:
+            return ["<%s> belongs in a .cpp file" % header]
+        return []
+    if form == "<" and not header.startswith("openltc/"):
+        return ["shade includes nothing, but here <%s>" % header] if folder == "shade" else []
+    parts = header.split("/")
+    if parts[0] != "openltc" or len(parts) < 3:
+        return ['"%s": includes start at the root of the repository, with "openltc/"' % header]
+    if parts[1] not in k_layers:
+        return ['"%s": no such layer' % header]
+    if folder == "shade":
+        return ['shade includes nothing, but here "%s"' % header]
+    if parts[1] not in allowed_folders(folder):
+        return ['%s may not include %s ("%s")' % (folder, parts[1], header)]
+    return []
+
+
+def check(root):
+    """All breaches as (path, line, text)."""
+    breaches = []
+    for path in find_sources(root):
+        with open(os.path.join(root, path), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        breaches += [(path, line, text) for line, text in check_licence(lines)]
+        parts = path.split("/")
+        if parts[0] == "openltc" and len(parts) > 2:
+            if parts[1] not in k_layers:
+                breaches.append((path, 1, "openltc/%s is not in the list of layers" % parts[1]))
+                continue
+            for number, line in enumerate(lines, 1):
+                include = k_include.match(line)
+                if include:
+                    breaches += [(path, number, text)
+                                 for text in check_library_include(path, *include.groups())]
+        if path == "CMakeLists.txt" and len(lines) >= k_root_list_lines:
+            breaches.append((path, len(lines), "the root list file stays under %d lines"
+                             % k_root_list_lines))
+    return breaches
+
+
+def main():
+    default = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    root = sys.argv[1] if len(sys.argv) > 1 else default
+    breaches = check(root)
+    for path, line, text in breaches:
+        print("%s:%d: %s" % (path, line, text))
+    sys.exit(1 if breaches else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,189 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+"""Makes scenes/demo.glb, the scene of the README's picture.
+
+    tools/make_demo_scene.py [-o FILE]
+
+Two rows of spheres, gold behind and coloured dielectric in front, go from mirror (roughness 0, at
+the left) to rough (1, at the right), on a parquet floor before a plain studio wall. Five lights:
+a rectangle, an L and a hexagonal ring as emissive meshes, one EXT_lights_area rectangle and one
+point light. Metres, +Y up, the camera looks along -Z. The same bytes on every run.
+"""
+
+import argparse
+import math
+import os
+import sys
+
+from demo_scene import glb, parquet, shapes
+
+k_sphere_count = 7
+k_plank_width_m = 0.13
+
+
+def add_mesh(file, name, shape, material, tangents=None, tex_coords=None):
+    positions, normals, triangles = shape
+    attributes = {"POSITION": file.vectors(positions, "VEC3"),
+                  "NORMAL": file.vectors(normals, "VEC3")}
+    if tangents:
+        attributes["TANGENT"] = file.vectors(tangents, "VEC4")
+    if tex_coords:
+        attributes["TEXCOORD_0"] = file.vectors(tex_coords, "VEC2")
+    return file.add("meshes", {"name": name, "primitives": [
+        {"attributes": attributes, "indices": file.indices(triangles), "material": material}]})
+
+
+def add_floor(file):
+    colors, normals, roughnesses = parquet.make_textures()
+    size = parquet.k_size
+
+    def use(name, rows):
+        scale = 1 / (parquet.k_period_cells * k_plank_width_m)
+        return {"index": file.texture(name, glb.png(size, size, 3, rows)),
+                "extensions": {"KHR_texture_transform": {"scale": [scale, scale]}}}
+
+    material = file.add("materials", {
+        "name": "parquet", "normalTexture": use("parquet normal", normals),
+        "pbrMetallicRoughness": {
+            "baseColorTexture": use("parquet colour", colors),
+            "metallicRoughnessTexture": use("parquet roughness", roughnesses)}})
+    # Texture coordinates are metres on the floor, turned by 45 degrees so that the herringbone
+    # points away from the viewer; KHR_texture_transform scales them to the texture's period.
+    x, front, back, h = 9.0, 9.0, -3.0, math.sqrt(0.5)
+    corners = [(-x, 0.0, front), (x, 0.0, front), (x, 0.0, back), (-x, 0.0, back)]
+    mesh = add_mesh(file, "floor", (corners, [(0.0, 1.0, 0.0)] * 4, [(0, 1, 2), (0, 2, 3)]),
+                    material, [(h, 0.0, h, 1.0)] * 4,
+                    [((px + pz) * h, (pz - px) * h) for px, _, pz in corners])
+    return file.add("nodes", {"name": "floor", "mesh": mesh})
+
+
+def add_wall(file):
+    material = file.add("materials", {"name": "plaster", "pbrMetallicRoughness": {
+        "baseColorFactor": [0.40, 0.39, 0.385, 1], "metallicFactor": 0, "roughnessFactor": 0.9}})
+    mesh = add_mesh(file, "wall", shapes.cove(9.0, -3.0, 0.6, 6.0, 16), material)
+    return file.add("nodes", {"name": "wall", "mesh": mesh})
+
+
+def mix(a, b, t):
+    return [p + (q - p) * t for p, q in zip(a, b)]
+
+
+def add_sphere_row(file, attributes, name, color_at, metallic, radius, spacing, z):
+    """Spheres from roughness 0 at the left to 1; all share one set of vertices."""
+    nodes = []
+    for k in range(k_sphere_count):
+        roughness = k / (k_sphere_count - 1)
+        label = "%s, roughness %.2f" % (name, roughness)
+        material = file.add("materials", {"name": label, "pbrMetallicRoughness": {
+            "baseColorFactor": [round(c, 4) for c in color_at(roughness)] + [1],
+            "metallicFactor": metallic, "roughnessFactor": round(roughness, 4)}})
+        mesh = file.add("meshes", {"name": label, "primitives": [dict(attributes, material=material)]})
+        x = (k - (k_sphere_count - 1) / 2) * spacing
+        nodes.append(file.add("nodes", {"name": label, "mesh": mesh, "scale": [radius] * 3,
+                                        "translation": [round(x, 4), radius, z]}))
+    return nodes
+
+
+def add_spheres(file):
+    positions, normals, triangles = shapes.icosphere(5)
+    attributes = {"attributes": {"POSITION": file.vectors(positions, "VEC3"),
+                                 "NORMAL": file.vectors(normals, "VEC3")},
+                  "indices": file.indices(triangles)}
+    gold = [1.0, 0.65, 0.27]
+    stops = [[0.01, 0.09, 0.32], [0.01, 0.30, 0.34], [0.05, 0.36, 0.12], [0.62, 0.42, 0.06],
+             [0.66, 0.14, 0.04]]
+
+    def dielectric(t):
+        position = t * (len(stops) - 1)
+        i = min(int(position), len(stops) - 2)
+        return mix(stops[i], stops[i + 1], position - i)
+
+    return (add_sphere_row(file, attributes, "gold", lambda _: gold, 1, 0.42, 0.98, -0.55)
+            + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.26, 0.80, 1.15))
+
+
+def facing(position, target):
+    """The rotation (x, y, z, w) that turns local -Z from position to target, without roll."""
+    forward = shapes.normalize([t - p for p, t in zip(position, target)])
+    yaw = math.atan2(-forward[0], -forward[2])
+    pitch = math.asin(forward[1])
+    cy, sy, cp, sp = math.cos(yaw / 2), math.sin(yaw / 2), math.cos(pitch / 2), math.sin(pitch / 2)
+    return [cy * sp, sy * cp, -sy * sp, cy * cp]
+
+
+def add_emitter(file, name, shape, color, luminance_nits, position, target):
+    """An emissive mesh that shines towards target."""
+    material = file.add("materials", {
+        "name": name, "doubleSided": True, "emissiveFactor": color,
+        "pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1], "metallicFactor": 0},
+        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": luminance_nits}}})
+    mesh = add_mesh(file, name, shape, material)
+    return file.add("nodes", {"name": name, "mesh": mesh, "translation": list(position),
+                              "rotation": facing(position, target)})
+
+
+def add_lights(file):
+    nodes = [
+        add_emitter(file, "rectangle", shapes.rectangle(0.62, 2.3), [1.0, 0.42, 0.10], 2600,
+                    (-3.35, 1.30, -2.5), (-0.7, 1.0, 1.5)),
+        add_emitter(file, "hexagonal ring", shapes.hexagon_ring(1.16, 0.86), [0.06, 0.36, 1.0], 3000,
+                    (0.0, 2.02, -3.0), (0.0, 1.6, 1.2)),
+        add_emitter(file, "L", shapes.l_shape(1.5, 2.3, 0.42), [1.0, 0.08, 0.24], 3000,
+                    (3.15, 1.28, -2.5), (0.7, 1.0, 1.5)),
+    ]
+    nodes.append(file.add("nodes", {
+        "name": "soft box", "translation": [-1.3, 4.4, 3.4],
+        "rotation": facing((-1.3, 4.4, 3.4), (0.0, 0.3, 0.2)),
+        "extensions": {"EXT_lights_area": {"light": 0}}}))
+    nodes.append(file.add("nodes", {
+        "name": "bulb", "translation": [3.0, 3.2, 2.8],
+        "extensions": {"KHR_lights_punctual": {"light": 0}}}))
+    file.document["extensions"] = {
+        "EXT_lights_area": {"lights": [{
+            "name": "soft box", "type": "rect", "color": [1.0, 0.90, 0.77], "intensity": 8000,
+            "size": 1.6, "rect": {"aspect": 1.75}}]},
+        "KHR_lights_punctual": {"lights": [{
+            "name": "bulb", "type": "point", "color": [1.0, 0.80, 0.56], "intensity": 3200}]}}
+    return nodes
+
+
+def add_camera(file):
+    camera = file.add("cameras", {"name": "camera", "type": "perspective", "perspective": {
+        "yfov": math.radians(27), "aspectRatio": 16 / 9, "znear": 0.1, "zfar": 100}})
+    position, target = (0.0, 2.05, 8.4), (0.0, 0.88, -0.5)
+    return file.add("nodes", {"name": "camera", "camera": camera, "translation": list(position),
+                              "rotation": facing(position, target)})
+
+
+def make():
+    file = glb.Glb({"version": "2.0", "generator": "OpenLTC tools/make_demo_scene.py",
+                    "copyright": "OpenLTC, MIT",
+                    "extras": {"units": "metres, nits, candela",
+                               "subject": "area lights on mirror to rough spheres"}})
+    nodes = [add_floor(file), add_wall(file)]
+    nodes += add_spheres(file) + add_lights(file) + [add_camera(file)]
+    file.add("scenes", {"name": "demo", "nodes": nodes})
+    file.document["scene"] = 0
+    file.document["extensionsUsed"] = ["EXT_lights_area", "KHR_lights_punctual",
+                                       "KHR_materials_emissive_strength", "KHR_texture_transform"]
+    return file.to_bytes()
+
+
+def main():
+    root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    parser = argparse.ArgumentParser(description="Makes the demo scene.")
+    parser.add_argument("-o", "--output", default=os.path.join(root, "scenes", "demo.glb"))
+    output = parser.parse_args().output
+    data = make()
+    try:
+        with open(output + ".part", "wb") as stream:
+            stream.write(data)
+        os.replace(output + ".part", output)
+    except OSError as error:
+        sys.exit("%s: cannot be written: %s" % (output, error.strerror))
+    print("%s: %.2f MB" % (output, len(data) / 1e6))
+
+
+if __name__ == "__main__":
+    main()
