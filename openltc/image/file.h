@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: MIT
 
 // Reading and writing picture files, format chosen by the extension.
+//
+// What a file holds is what a reader gives: NaN, infinities and negative values of an EXR file are
+// kept; the metrics (metrics.h) say how they treat them. A PNG or Radiance file cannot hold them,
+// so their writers replace them, as said below. Pictures of more than k_max_side pixels a side or
+// k_max_pixels in all are refused, by readers before any memory is taken for them.
 
 #pragma once
 
 #include "openltc/base/result.h"
 #include "openltc/image/image.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -15,33 +21,59 @@
 
 namespace openltc::image {
 
+/// Largest picture that is read or written: 65,535 pixels a side, 2^27 (134 million) in all.
+inline constexpr int k_max_side = 65535;
+inline constexpr std::size_t k_max_pixels = std::size_t(1) << 27;
+
 enum class ExrPrecision { half_float, full_float };
 
-/// Reads .exr, .hdr (scene-linear) or .png/.jpg/.jpeg (sRGB, decoded to linear). 3 or 4 channels.
-/// An EXR's further layers are ignored here; see read_layer.
+/// Reads .exr, .hdr (scene-linear) or .png, .jpg, .jpeg (sRGB, decoded to linear).
+/// The result has 3 channels, or 4 where the file has alpha; grey is repeated in all three.
+/// An EXR file's further layers are ignored here (see read_layer); its picture is its display
+/// window, black where the file has no data.
+/// A Radiance file's values are divided by its EXPOSURE lines, as its format defines.
 Result<Image> read(const std::string& path);
 
-/// Reads one named layer of an EXR file ("" = the picture itself, e.g. "stderr").
+/// Reads one named layer of an EXR file ("" = the picture itself; e.g. "stderr").
+/// The result has 1 channel (NAME.Y or a channel NAME), 3 (NAME.R NAME.G NAME.B) or 4 (and NAME.A).
+/// The error of a layer that is not there names those that are.
 Result<Image> read_layer(const std::string& path, const std::string& layer);
 
-/// Writes an EXR file, channels R G B (A) for the first layer and NAME.R NAME.G NAME.B for others.
+/// Names of the layers of an EXR file, "" first where it has a picture, then in alphabetical order.
+Result<std::vector<std::string>> layer_names(const std::string& path);
+
+/// Decodes the bytes of a PNG or JPEG file, told apart by their first bytes, to 4 channels in
+/// [0, 1]; alpha is 1 where the file has none. Colours are decoded from sRGB to linear if
+/// `srgb_to_linear` is set (base colour, emission), else only scaled (normals, roughness); alpha is
+/// only scaled. An error begins with `name`.
+Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& name,
+                     bool srgb_to_linear);
+
+/// Writes an EXR file: channels R G B (A), or Y, of the first layer, whose name is empty, and
+/// NAME.R NAME.G NAME.B (NAME.A), or NAME.Y, of the others. All layers have the same size.
+/// Lossless ZIP compression. In half precision finite values beyond +-65504 become +-65504.
 /// All writers write to a temporary name beside `path` and rename, so that no half file is left and
 /// an older file survives a failure.
 Status write_exr(const std::string& path, std::span<const Layer> layers,
                  ExrPrecision precision = ExrPrecision::full_float);
 
-/// Writes a Radiance RGBE file.
+/// Writes a Radiance RGBE file, run-length encoded: 8 bits of mantissa, the exponent shared by the
+/// three channels, so the error is at most 1/256 of the pixel's largest channel. Alpha is dropped;
+/// negative values and NaN become 0, values beyond 1.7e38 (infinity too) become 1.7e38.
 Status write_hdr(const std::string& path, const Image& image);
 
 /// Writes an 8-bit PNG from values that are already display-encoded (sRGB) in [0, 1]; 1, 3 or 4
 /// channels. Values outside are clamped, NaN becomes 0.
 Status write_png(const std::string& path, const Image& display);
 
-/// sRGB transfer function, IEC 61966-2-1, and its inverse.
+/// sRGB transfer function, IEC 61966-2-1, and its inverse. Odd-symmetric for negative values.
 float srgb_from_linear(float linear);
 float linear_from_srgb(float srgb);
 
 /// Whether a file with this extension can be written: ".exr", ".hdr", ".png" (any case).
 bool is_writable_extension(const std::string& path);
+
+/// Whether a file with this extension holds scene-linear radiance: ".exr", ".hdr" (any case).
+bool is_scene_linear_extension(const std::string& path);
 
 } // namespace openltc::image

@@ -59,6 +59,7 @@ using Vec3f = Vec3T<float>;
 using Vec4f = Vec4T<float>;
 using Vec2d = Vec2T<double>;
 using Vec3d = Vec3T<double>;
+using Vec4d = Vec4T<double>;
 
 inline float length(Vec3f a) { return std::sqrt(dot(a, a)); }
 inline double length(Vec3d a) { return std::sqrt(dot(a, a)); }

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+
+#include "openltc/base/progress.h"
+
+#include "openltc/base/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+
+namespace openltc {
+
+namespace {
+
+volatile std::sig_atomic_t g_interrupted = 0;
+
+void on_interrupt(int) {
+  if (g_interrupted) {
+    remove_temporary_files();
+    _exit(130);
+  }
+  g_interrupted = 1;
+}
+
+std::string duration(double seconds) {
+  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
+  const int whole = int(seconds + 0.5);
+  if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+  return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
+}
+
+} // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
+bool interrupted() { return g_interrupted != 0; }
+
+Progress::Progress(std::string label, std::int64_t total, bool quiet)
+    : label_(std::move(label)), total_(std::max<std::int64_t>(total, 1)), quiet_(quiet),
+      terminal_(isatty(2) != 0), start_(std::chrono::steady_clock::now()), last_print_(start_) {}
+
+Progress::~Progress() {
+  if (!quiet_) print(done_.load(), true);
+}
+
+void Progress::add(std::int64_t amount) {
+  const std::int64_t done = done_.fetch_add(amount) + amount;
+  if (quiet_) return;
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock.owns_lock()) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (terminal_) {
+    if (now - last_print_ < std::chrono::milliseconds(100)) return;
+  } else {
+    const int quarter = int(4 * done / total_);
+    if (quarter <= quarter_ || quarter >= 4) return;
+    quarter_ = quarter;
+  }
+  last_print_ = now;
+  print(done, false);
+}
+
+void Progress::print(std::int64_t done, bool last) {
+  const double elapsed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const double part = std::min(double(done) / double(total_), 1.0);
+  if (last) {
+    fmt::print(stderr, "{}{}: {} in {}{}\n", terminal_ ? "\r" : "", label_,
+               done >= total_ ? "done" : "stopped", duration(elapsed), terminal_ ? "\033[K" : "");
+  } else {
+    const double left = part > 0 ? elapsed * (1 - part) / part : 0;
+    if (terminal_) {
+      const int filled = int(part * 30);
+      fmt::print(stderr, "\r{} [{:=<{}}{:>{}}] {:3.0f} %, {} left\033[K", label_, "", filled, "",
+                 30 - filled, 100 * part, duration(left));
+    } else {
+      fmt::print(stderr, "{}: {:.0f} %, about {} left\n", label_, 100 * part, duration(left));
+    }
+  }
+  std::fflush(stderr);
+}
+
+} // namespace openltc

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The outline is cut into trapezoids: between two neighbouring heights of its vertices no edge
+// begins or ends, so the edges that cross this slab, sorted from left to right, bound the inside
+// by their parity. This holds for concave outlines, holes and islands alike.
+
+#include "openltc/light/packed_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace openltc::light {
+
+namespace {
+
+struct Edge {
+  Vec2d lower, upper;
+};
+
+double x_at(const Edge& e, double y) {
+  return e.lower.x + (e.upper.x - e.lower.x) * (y - e.lower.y) / (e.upper.y - e.lower.y);
+}
+
+struct Triangle {
+  Vec2d a, b, c;
+};
+
+double area_of(const Triangle& t) {
+  return 0.5 * std::abs((t.b.x - t.a.x) * (t.c.y - t.a.y) - (t.b.y - t.a.y) * (t.c.x - t.a.x));
+}
+
+std::vector<Triangle> triangulate(const std::vector<Edge>& edges) {
+  std::vector<double> heights;
+  for (const Edge& e : edges) {
+    heights.push_back(e.lower.y);
+    heights.push_back(e.upper.y);
+  }
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    const double y0 = heights[i], y1 = heights[i + 1], middle = 0.5 * (y0 + y1);
+    std::vector<const Edge*> crossing;
+    for (const Edge& e : edges)
+      if (e.lower.y <= y0 && e.upper.y >= y1) crossing.push_back(&e);
+    std::sort(crossing.begin(), crossing.end(),
+              [&](const Edge* p, const Edge* q) { return x_at(*p, middle) < x_at(*q, middle); });
+    for (std::size_t k = 0; k + 1 < crossing.size(); k += 2) {
+      const Vec2d a{x_at(*crossing[k], y0), y0}, b{x_at(*crossing[k + 1], y0), y0};
+      const Vec2d c{x_at(*crossing[k + 1], y1), y1}, d{x_at(*crossing[k], y1), y1};
+      for (const Triangle& t : {Triangle{a, b, c}, Triangle{a, c, d}})
+        if (area_of(t) > 0) triangles.push_back(t);
+    }
+  }
+  return triangles;
+}
+
+void basis(Vec3f n, Vec3f& u, Vec3f& v) {
+  const Vec3f helper = std::abs(n.x) < 0.5f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
+  u = normalize(cross(helper, n));
+  v = cross(n, u);
+}
+
+void store3(float* out, Vec3f p) {
+  out[0] = p.x;
+  out[1] = p.y;
+  out[2] = p.z;
+}
+
+} // namespace
+
+PackedPolygon pack_polygon(const PolygonLight& light) {
+  PackedPolygon packed;
+  packed.radiance = light.radiance;
+  if (light.vertices.empty()) return packed;
+
+  // The longest edge gives the plane's u axis, so that the slabs of a rectangle are one.
+  Vec3f origin = light.vertices[0], u, v;
+  basis(light.normal, u, v);
+  float longest2 = 0;
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : light.ring_end) {
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const Vec3f d = light.vertices[i + 1 < end ? i + 1 : begin] - light.vertices[i];
+      const Vec3f flat = d - light.normal * dot(d, light.normal);
+      if (dot(flat, flat) <= longest2 * 1.0001f) continue;
+      longest2 = dot(flat, flat);
+      u = normalize(flat);
+      v = cross(light.normal, u);
+    }
+    begin = end;
+  }
+
+  std::vector<Edge> edges;
+  double signed_area = 0;
+  begin = 0;
+  for (const std::uint32_t end : light.ring_end) {
+    Vec2d previous;
+    for (std::uint32_t i = begin; i <= end && begin < end; ++i) {
+      const Vec3f p = light.vertices[i < end ? i : begin];
+      const Vec3f d = p - origin;
+      const Vec2f flat{dot(d, u), dot(d, v)};
+      packed.points.insert(packed.points.end(), {p.x, p.y, p.z, i == begin ? 1.0f : 0.0f});
+      packed.in_plane.insert(packed.in_plane.end(), {flat.x, flat.y});
+      const Vec2d q{flat.x, flat.y};
+      if (i > begin) {
+        signed_area += 0.5 * (previous.x * q.y - previous.y * q.x);
+        if (previous.y < q.y) edges.push_back({previous, q});
+        if (previous.y > q.y) edges.push_back({q, previous});
+      }
+      previous = q;
+    }
+    begin = end;
+  }
+
+  const std::vector<Triangle> triangles = triangulate(edges);
+  double total = 0;
+  for (const Triangle& t : triangles) total += area_of(t);
+  if (!(total > 0) || !std::isfinite(total) || !(signed_area > 0)) {
+    packed.points.clear();
+    packed.in_plane.clear();
+    return packed;
+  }
+  double sum = 0;
+  const auto world = [&](Vec2d p) { return u * float(p.x) + v * float(p.y); };
+  for (const Triangle& t : triangles) {
+    sum += area_of(t);
+    const Vec3f a = origin + world(t.a), ab = world(t.b - t.a), ac = world(t.c - t.a);
+    packed.triangles.insert(packed.triangles.end(),
+                            {a.x, a.y, a.z, ab.x, ab.y, ab.z, ac.x, ac.y, ac.z});
+    packed.triangle_cdf.push_back(float(sum / total));
+  }
+  packed.triangle_cdf.back() = 1.0f;
+
+  packed.area = float(total);
+  packed.view.points = packed.points.data();
+  packed.view.in_plane = packed.in_plane.data();
+  packed.view.point_count = int(packed.points.size() / 4);
+  packed.view.two_sided = light.two_sided;
+  store3(packed.view.origin, origin);
+  store3(packed.view.axis_u, u);
+  store3(packed.view.axis_v, v);
+  store3(packed.view.normal, light.normal);
+  return packed;
+}
+
+} // namespace openltc::light

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+
+#include "openltc/render/point_buffer.h"
+
+namespace openltc::render {
+
+PointBuffer::PointBuffer(std::size_t capacity) : capacity_(capacity) {
+  const std::size_t padded = capacity + k_batch_padding;
+  for (auto& field : fields_) field.assign(padded, 0.0f);
+  for (auto& channel : out_) channel.assign(padded, 0.0f);
+  seed_.assign(padded, 0);
+  index_.assign(padded, 0);
+  target_.assign(capacity, 0);
+  weight_.assign(capacity, 0);
+}
+
+void PointBuffer::add(const SurfacePoint& p, std::uint32_t pixel_seed, std::uint32_t sample_index,
+                      std::uint32_t target, float weight) {
+  const std::size_t i = count_++;
+  const auto put3 = [&](PointField field, Vec3f v) {
+    fields_[std::size_t(field)][i] = v.x;
+    fields_[std::size_t(field) + 1][i] = v.y;
+    fields_[std::size_t(field) + 2][i] = v.z;
+  };
+  put3(k_position_x, p.position);
+  put3(k_normal_x, p.normal);
+  put3(k_geometric_x, p.geometric);
+  put3(k_view_x, p.view);
+  put3(k_albedo_r, p.albedo);
+  put3(k_f0_r, p.f0);
+  fields_[k_f90][i] = p.f90;
+  fields_[k_roughness][i] = p.roughness;
+  fields_[k_offset][i] = p.offset;
+  seed_[i] = pixel_seed;
+  index_[i] = sample_index;
+  target_[i] = target;
+  weight_[i] = weight;
+}
+
+void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
+                        std::vector<Vec3f>& samples) {
+  if (count_ == 0) return;
+  // Fill the last register with copies of the last point, so that every lane holds valid numbers.
+  for (std::size_t i = count_; i % k_batch_padding != 0; ++i) {
+    for (auto& field : fields_) field[i] = field[count_ - 1];
+    seed_[i] = seed_[count_ - 1];
+    index_[i] = index_[count_ - 1];
+  }
+  ShadingBatch batch;
+  batch.count = int(count_);
+  for (std::size_t f = 0; f < fields_.size(); ++f) batch.in[f] = fields_[f].data();
+  for (std::size_t c = 0; c < 3; ++c) batch.out[c] = out_[c].data();
+  batch.seed = seed_.data();
+  batch.index = index_.data();
+  kernel.shade(context, batch);
+  for (std::size_t i = 0; i < count_; ++i)
+    samples[target_[i]] += Vec3f(out_[0][i], out_[1][i], out_[2][i]) * weight_[i];
+  count_ = 0;
+}
+
+} // namespace openltc::render

@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The picture is cut into tiles that threads take as they come. A tile depends on nothing but the
+// scene and the options, so the bytes are the same for any number of threads.
+
+#include "openltc/render/renderer.h"
+
+#include "openltc/base/parallel.h"
+#include "openltc/base/progress.h"
+#include "openltc/base/sampling.h"
+#include "openltc/render/camera_rays.h"
+#include "openltc/render/light_set.h"
+#include "openltc/render/point_buffer.h"
+#include "openltc/render/ray_scene.h"
+#include "openltc/render/surface_point.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace openltc::render {
+
+namespace {
+
+constexpr int k_tile = 16;              // pixels; a row of a tile is one ray packet
+constexpr int k_max_layers = 32;        // blended surfaces along one camera ray
+constexpr int k_max_size = 32768;       // pixels on a side
+constexpr std::size_t k_batch = 4096;   // surface points per kernel call
+constexpr std::uint32_t k_purpose_pixel = 0;
+
+static_assert(k_tile == RayPacket::k_size);
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Job {
+  const scene::Scene& scene;
+  const RenderOptions& options;
+  const CameraRays& camera;
+  const TextureSet& textures;
+  const RayScene& rays;
+  Kernel kernel;
+  KernelContext context;
+};
+
+/// One tile's pixels and the samples of the chunk in work.
+class Tile {
+public:
+  Tile(const Job& job, int x0, int y0)
+      : job_(job), x0_(x0), y0_(y0), width_(std::min(k_tile, job.options.width - x0)),
+        height_(std::min(k_tile, job.options.height - y0)), points_(k_batch) {}
+
+  void render(Picture& picture) {
+    const int samples = job_.options.samples;
+    const int pixels = k_tile * k_tile;
+    std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
+    const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
+    for (int first = 0; first < samples; first += chunk) {
+      const int count = std::min(chunk, samples - first);
+      samples_.assign(std::size_t(pixels * count), Vec3f(0.0f));
+      for (int s = 0; s < count; ++s)
+        for (int row = 0; row < height_; ++row) trace_row(row, first + s, s * pixels);
+      points_.shade(job_.kernel, job_.context, samples_);
+      for (int i = 0; i < pixels * count; ++i) {
+        const Vec3f& v = samples_[std::size_t(i)];
+        const Vec3d d(v.x, v.y, v.z);
+        sum[std::size_t(i % pixels)] += d;
+        sum2[std::size_t(i % pixels)] += d * d;
+      }
+    }
+    for (int row = 0; row < height_; ++row)
+      for (int column = 0; column < width_; ++column) {
+        const std::size_t i = std::size_t(row * k_tile + column);
+        const double n = samples;
+        const Vec3d mean = sum[i] / n;
+        const auto error = [&](double m, double s2) {
+          return n > 1 ? float(std::sqrt(std::max(s2 / n - m * m, 0.0) / (n - 1))) : 0.0f;
+        };
+        float* out = picture.radiance.pixel(x0_ + column, y0_ + row);
+        out[0] = float(mean.x);
+        out[1] = float(mean.y);
+        out[2] = float(mean.z);
+        float* e = picture.standard_error.pixel(x0_ + column, y0_ + row);
+        e[0] = error(mean.x, sum2[i].x);
+        e[1] = error(mean.y, sum2[i].y);
+        e[2] = error(mean.z, sum2[i].z);
+      }
+  }
+
+private:
+  std::uint32_t pixel_seed(int x, int y) const {
+    return hash_combine(hash_combine(std::uint32_t(x), std::uint32_t(y)), job_.options.seed);
+  }
+
+  // One camera sample of each pixel in a row; entry `target` + pixel of samples_ receives it.
+  void trace_row(int row, int sample, int target) {
+    RayPacket packet{};
+    float throughput[k_tile];
+    std::uint32_t seed[k_tile];
+    for (int i = 0; i < k_tile; ++i) {
+      const int x = x0_ + std::min(i, width_ - 1), y = y0_ + row;
+      seed[i] = pixel_seed(x, y);
+      float dx = 0, dy = 0;
+      if (job_.options.samples > 1) {
+        const Sample2 u = owen_sobol(std::uint32_t(sample), hash_combine(seed[i], k_purpose_pixel));
+        dx = filter_offset(u.u);
+        dy = filter_offset(u.v);
+      }
+      const CameraRay ray = job_.camera.ray(float(x) + 0.5f + dx, float(y) + 0.5f + dy);
+      packet.origin[0][i] = ray.origin.x;
+      packet.origin[1][i] = ray.origin.y;
+      packet.origin[2][i] = ray.origin.z;
+      packet.direction[0][i] = ray.direction.x;
+      packet.direction[1][i] = ray.direction.y;
+      packet.direction[2][i] = ray.direction.z;
+      packet.near[i] = ray.near;
+      packet.far[i] = ray.far;
+      packet.active[i] = i < width_ ? -1 : 0;
+      throughput[i] = 1;
+    }
+
+    const int base = target + row * k_tile;
+    for (int layer = 0; layer < k_max_layers; ++layer) {
+      const HitPacket hits = job_.rays.intersect(packet);
+      bool more = false;
+      for (int i = 0; i < width_; ++i) {
+        if (!packet.active[i]) continue;
+        packet.active[i] = 0;
+        Vec3f& radiance = samples_[std::size_t(base + i)];
+        if (hits.mesh[i] < 0) {
+          radiance += job_.options.background * throughput[i];
+          continue;
+        }
+        const SurfacePoint point = evaluate_surface(
+            job_.scene, job_.textures, std::uint32_t(hits.mesh[i]), hits.triangle[i], hits.u[i],
+            hits.v[i],
+            Vec3f(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]),
+            hits.distance[i], job_.camera.footprint(hits.distance[i]));
+        const float weight = throughput[i] * point.alpha;
+        radiance += point.emission * weight;
+        if (point.lit && weight > 0) {
+          points_.add(point, seed[i], std::uint32_t(sample), std::uint32_t(base + i), weight);
+          if (points_.full()) points_.shade(job_.kernel, job_.context, samples_);
+        }
+        throughput[i] *= 1 - point.alpha;
+        if (throughput[i] > 1.0e-3f) {
+          // Go on behind the blended surface.
+          packet.near[i] = hits.distance[i] + point.offset;
+          packet.active[i] = -1;
+          more = true;
+        }
+      }
+      if (!more) break;
+    }
+  }
+
+  const Job& job_;
+  int x0_, y0_, width_, height_;
+  PointBuffer points_;
+  std::vector<Vec3f> samples_;
+};
+
+Status check(const RenderOptions& o) {
+  if (o.width < 1 || o.height < 1 || o.width > k_max_size || o.height > k_max_size)
+    return Error{fmt::format("picture size {}x{}: each side must be 1 to {} pixels", o.width,
+                             o.height, k_max_size)};
+  if (o.samples < 1 || o.samples > (1 << 20))
+    return Error{fmt::format("samples per pixel: {} is not in 1 to {}", o.samples, 1 << 20)};
+  if (o.shadow_samples < 0 || o.shadow_samples > 4096)
+    return Error{fmt::format("shadow samples: {} is not in 0 to 4096", o.shadow_samples)};
+  return Success{};
+}
+
+} // namespace
+
+Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
+                       const table::LobeTable& lobe_table, const RenderOptions& options) {
+  if (Status status = check(options); !status.ok()) return status.error();
+  const auto build_start = std::chrono::steady_clock::now();
+
+  const Kernel kernel = kernel_by_name(options.kernel.c_str());
+  if (!kernel.shade)
+    return Error{fmt::format("this machine or build has no \"{}\" shading kernel", options.kernel)};
+  const TextureSet textures(scene);
+  auto rays = RayScene::create(scene, textures);
+  if (!rays.ok()) return rays.error();
+  const LightSet lights = pack_lights(scene.lights);
+  const CameraRays camera_rays(camera, options.width, options.height);
+
+  Job job{scene, options, camera_rays, textures, **rays, kernel, {}};
+  KernelContext& context = job.context;
+  context.table = lobe_table.view();
+  context.polygons = lights.polygons.data();
+  context.polygon_count = int(lights.polygons.size());
+  context.punctual = lights.punctual.data();
+  context.punctual_count = int(lights.punctual.size());
+  context.integrator = options.integrator;
+  context.punctual_form = options.punctual_form;
+  const bool reference = options.integrator == Integrator::reference;
+  context.light_samples = reference ? 1 : options.shadow_samples;
+  context.brdf_samples =
+      reference ? 1 : std::min((options.shadow_samples + 1) / 2, k_max_brdf_samples);
+  if (options.shadow_samples > 0) {
+    context.trace = [](const void* tracer, const ShadowRays& shadow_rays) {
+      static_cast<const RayScene*>(tracer)->trace_shadows(shadow_rays);
+    };
+    context.tracer = rays->get();
+  }
+
+  Picture picture;
+  picture.radiance = image::Image(options.width, options.height, 3);
+  picture.standard_error = image::Image(options.width, options.height, 3);
+  picture.kernel = kernel.name;
+  picture.warnings = lights.warnings;
+  picture.build_seconds = seconds_since(build_start);
+
+  const auto render_start = std::chrono::steady_clock::now();
+  const int columns = (options.width + k_tile - 1) / k_tile;
+  const int rows = (options.height + k_tile - 1) / k_tile;
+  {
+    Progress progress("rendering", std::int64_t(columns) * rows, options.quiet);
+    parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
+      if (interrupted()) return;
+      Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture);
+      progress.add(1);
+    });
+  }
+  if (interrupted()) return Error{"interrupted; nothing was written"};
+  picture.render_seconds = seconds_since(render_start);
+  return picture;
+}
+
+} // namespace openltc::render

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// A picture of a scene: camera rays, surfaces, all lights in closed form or by the reference.
+
+#pragma once
+
+#include "openltc/base/result.h"
+#include "openltc/image/image.h"
+#include "openltc/render/shading_kernel.h"
+#include "openltc/scene/scene.h"
+#include "openltc/table/lobe_table.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace openltc::render {
+
+struct RenderOptions {
+  int width = 1280; ///< pixels
+  int height = 720;
+  Integrator integrator = Integrator::ltc;
+  int samples = 8; ///< camera samples per pixel; the reference takes one light sample with each
+  /// LTC: samples of the shadow ratio per camera sample and polygon light, 0 = no shadows at all.
+  /// Reference: only whether it is 0.
+  int shadow_samples = 16;
+  PunctualForm punctual_form = PunctualForm::exact;
+  Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
+  std::uint32_t seed = 0;
+  int threads = 0;             ///< 0 = all cores; the picture does not depend on it
+  std::string kernel = "auto"; ///< "auto" or a name of kernel_by_name
+  bool quiet = true;           ///< no progress on stderr
+};
+
+struct Picture {
+  image::Image radiance;       ///< scene-linear, in the scene's units (nits)
+  /// Standard error of each pixel's mean, per channel, from the variance of its camera samples. The
+  /// samples are stratified, so this is an upper estimate. Zero where samples = 1.
+  image::Image standard_error;
+  double build_seconds = 0;  ///< acceleration structure, textures
+  double render_seconds = 0;
+  std::string kernel;          ///< that shaded
+  std::vector<std::string> warnings;
+};
+
+/// Renders `scene` from `camera`, with exactly the lights of scene.lights.
+/// Fails with one line when an option is out of range, memory is short or the user interrupts.
+Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
+                       const table::LobeTable& lobe_table, const RenderOptions& options);
+
+} // namespace openltc::render

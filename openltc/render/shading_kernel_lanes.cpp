@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The kernel in SIMD lanes. Compiled once per instruction set: the build defines
+// OPENLTC_KERNEL as its name and gives the compiler its flags.
+
+#include "openltc/render/shading_kernel_variants.h"
+
+#include "openltc/base/sampling.h"
+#include "openltc/target/vec.h"
+
+#include <hwy/highway.h>
+// Highway's math comes after the core.
+#include <hwy/contrib/math/math-inl.h>
+
+#define OPENLTC_STRINGIFY_(x) #x
+#define OPENLTC_STRINGIFY(x) OPENLTC_STRINGIFY_(x)
+
+namespace openltc::render::OPENLTC_KERNEL {
+
+#include "openltc/target/lanes.inc"
+#include "openltc/target/shade_all.inc"
+#include "openltc/render/shading_kernel.inc"
+
+static_assert(k_batch_padding % k_lanes == 0);
+
+Kernel kernel() { return {OPENLTC_STRINGIFY(OPENLTC_KERNEL), k_lanes, shade_batch}; }
+
+} // namespace openltc::render::OPENLTC_KERNEL

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The kernel without SIMD: the plain formulation, for machines without lanes and for comparison.
+
+#include "openltc/render/shading_kernel_variants.h"
+
+#include "openltc/base/sampling.h"
+#include "openltc/target/vec.h"
+
+#include <cmath>
+
+namespace openltc::render::scalar {
+
+using Scalar = float;
+#include "openltc/target/scalar.inc"
+#include "openltc/target/shade_all.inc"
+#include "openltc/render/shading_kernel.inc"
+
+Kernel kernel() { return {"scalar", k_lanes, shade_batch}; }
+
+} // namespace openltc::render::scalar

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Material model: glTF 2.0 Appendix B with KHR_materials_specular and KHR_materials_ior.
+
+#include "openltc/render/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace openltc::render {
+
+namespace {
+
+struct Corner {
+  std::uint32_t a, b, c;
+  float wa, wb, wc;
+};
+
+Corner corner(const scene::Mesh& mesh, std::uint32_t triangle, float u, float v) {
+  const auto& t = mesh.triangles[triangle];
+  return {t[0], t[1], t[2], 1 - u - v, u, v};
+}
+
+Vec3f interpolate(const std::vector<Vec3f>& values, const Corner& c) {
+  return values[c.a] * c.wa + values[c.b] * c.wb + values[c.c] * c.wc;
+}
+Vec2f interpolate(const std::vector<Vec2f>& values, const Corner& c) {
+  if (values.empty()) return {0, 0};
+  return values[c.a] * c.wa + values[c.b] * c.wb + values[c.c] * c.wc;
+}
+Vec4f interpolate(const std::vector<Vec4f>& values, const Corner& c) {
+  if (values.empty()) return {1, 1, 1, 1};
+  const Vec4f &a = values[c.a], &b = values[c.b], &d = values[c.c];
+  return {a.x * c.wa + b.x * c.wb + d.x * c.wc, a.y * c.wa + b.y * c.wb + d.y * c.wc,
+          a.z * c.wa + b.z * c.wb + d.z * c.wc, a.w * c.wa + b.w * c.wb + d.w * c.wc};
+}
+
+Vec3f safe_normalize(Vec3f v, Vec3f fallback) {
+  const float length2 = dot(v, v);
+  return length2 > 1.0e-30f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
+}
+
+float saturate(float x) { return std::clamp(x, 0.0f, 1.0f); }
+
+// Side of a square of uv that covers as much as a square metre of the triangle.
+float uv_per_metre(const scene::Mesh& mesh, const Corner& c, Vec3f area_vector) {
+  if (mesh.tex_coord_0.empty()) return 0;
+  const Vec2f e1 = mesh.tex_coord_0[c.b] - mesh.tex_coord_0[c.a];
+  const Vec2f e2 = mesh.tex_coord_0[c.c] - mesh.tex_coord_0[c.a];
+  const float uv_area2 = std::abs(e1.x * e2.y - e1.y * e2.x);
+  const float area2 = length(area_vector);
+  return area2 > 0 ? std::sqrt(uv_area2 / area2) : 0.0f;
+}
+
+Vec3f mapped_normal(const scene::Mesh& mesh, const scene::Material& m, const TextureSet& textures,
+                    const Corner& c, const Vec2f uv[2], float width, Vec3f normal) {
+  if (m.normal_texture.texture < 0 || mesh.tangents.empty()) return normal;
+  const Vec4f t4 = interpolate(mesh.tangents, c);
+  const Vec3f t3(t4.x, t4.y, t4.z);
+  const Vec3f tangent = safe_normalize(t3 - normal * dot(normal, t3), Vec3f(0.0f));
+  if (dot(tangent, tangent) == 0) return normal;
+  const Vec3f bitangent = cross(normal, tangent) * (t4.w < 0 ? -1.0f : 1.0f);
+  const Vec4f texel = textures.sample(m.normal_texture, uv, width);
+  const Vec3f n((2 * texel.x - 1) * m.normal_scale, (2 * texel.y - 1) * m.normal_scale,
+                2 * texel.z - 1);
+  return safe_normalize(tangent * n.x + bitangent * n.y + normal * n.z, normal);
+}
+
+// Bends a normal that faces away from the viewer, as interpolation and normal maps make them, until
+// the view direction grazes it: shading has no lobe from below the horizon.
+Vec3f towards_viewer(Vec3f normal, Vec3f view) {
+  constexpr float k_grazing = 1.0e-3f;
+  const float cos_view = dot(normal, view);
+  if (cos_view >= k_grazing) return normal;
+  return safe_normalize(normal + view * (k_grazing - cos_view), view);
+}
+
+} // namespace
+
+float surface_alpha(const scene::Scene& scene, const TextureSet& textures, std::uint32_t mesh_index,
+                    std::uint32_t triangle, float u, float v) {
+  const scene::Mesh& mesh = scene.meshes[mesh_index];
+  const scene::Material& m = scene.materials[std::size_t(mesh.material)];
+  const Corner c = corner(mesh, triangle, u, v);
+  const Vec2f uv[2] = {interpolate(mesh.tex_coord_0, c), interpolate(mesh.tex_coord_1, c)};
+  return saturate(m.base_color.w * interpolate(mesh.colors, c).w *
+                  textures.sample(m.base_color_texture, uv, 0).w);
+}
+
+SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textures,
+                              std::uint32_t mesh_index, std::uint32_t triangle, float u, float v,
+                              Vec3f direction, float distance, float footprint) {
+  const scene::Mesh& mesh = scene.meshes[mesh_index];
+  const scene::Material& m = scene.materials[std::size_t(mesh.material)];
+  const Corner c = corner(mesh, triangle, u, v);
+
+  SurfacePoint s;
+  s.view = -direction;
+  s.position = interpolate(mesh.positions, c);
+  const Vec3f& pa = mesh.positions[c.a];
+  const Vec3f area_vector = cross(mesh.positions[c.b] - pa, mesh.positions[c.c] - pa);
+  const Vec3f front = safe_normalize(area_vector, s.view);
+  const bool from_front = dot(front, s.view) >= 0;
+  s.geometric = from_front ? front : -front;
+
+  // Rounding of positions grows with their size and with the distance of the camera.
+  const float magnitude =
+      std::max({std::abs(s.position.x), std::abs(s.position.y), std::abs(s.position.z), distance});
+  s.offset = magnitude * 2.0e-5f;
+
+  // Footprint of the pixel on the surface, in uv; the shorter axis of the ellipse, since several
+  // samples per pixel cover the longer one.
+  const Vec2f uv[2] = {interpolate(mesh.tex_coord_0, c), interpolate(mesh.tex_coord_1, c)};
+  const float cos_view = std::max(std::abs(dot(front, s.view)), 0.05f);
+  const float width = footprint / std::sqrt(cos_view) * uv_per_metre(mesh, c, area_vector);
+
+  Vec3f normal = safe_normalize(interpolate(mesh.normals, c), front);
+  normal = mapped_normal(mesh, m, textures, c, uv, width, normal);
+  if (!from_front) normal = -normal;
+  s.normal = towards_viewer(normal, s.view);
+
+  const Vec4f vertex_color = interpolate(mesh.colors, c);
+  const Vec4f base_texel = textures.sample(m.base_color_texture, uv, width);
+  const Vec3f base(m.base_color.x * vertex_color.x * base_texel.x,
+                   m.base_color.y * vertex_color.y * base_texel.y,
+                   m.base_color.z * vertex_color.z * base_texel.z);
+  if (m.alpha_mode == scene::AlphaMode::blend)
+    s.alpha = saturate(m.base_color.w * vertex_color.w * base_texel.w);
+
+  const Vec4f mr = textures.sample(m.metallic_roughness_texture, uv, width);
+  const float metallic = saturate(m.metallic * mr.z);
+  s.roughness = saturate(m.roughness * mr.y);
+  const float specular = saturate(m.specular * textures.sample(m.specular_texture, uv, width).w);
+  const Vec4f tint = textures.sample(m.specular_color_texture, uv, width);
+
+  // Dielectric reflectance from the index of refraction; 0 stands for "as bright as possible".
+  const float r = m.ior > 0 ? (m.ior - 1) / (m.ior + 1) : 1.0f;
+  const Vec3f dielectric(std::min(r * r * m.specular_color.x * tint.x, 1.0f) * specular,
+                         std::min(r * r * m.specular_color.y * tint.y, 1.0f) * specular,
+                         std::min(r * r * m.specular_color.z * tint.z, 1.0f) * specular);
+  const Vec3f color(saturate(base.x), saturate(base.y), saturate(base.z));
+  s.f0 = dielectric * (1 - metallic) + color * metallic;
+  s.f90 = specular * (1 - metallic) + metallic;
+  s.albedo = color * (1 - metallic);
+
+  const Vec4f glow = textures.sample(m.emission_texture, uv, width);
+  const bool emits = from_front || m.double_sided;
+  s.emission = emits ? m.emission * Vec3f(glow.x, glow.y, glow.z) : Vec3f(0.0f);
+  s.lit = !m.unlit;
+  if (m.unlit) s.emission = base;
+  return s;
+}
+
+} // namespace openltc::render

@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/table/table_file.h"
+
+#include "openltc/base/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace openltc::table {
+
+namespace {
+
+constexpr const char* k_format = "openltc-lobe-table";
+constexpr int k_version = 1;
+constexpr int k_stored = 6; // the last two channels of a texel are padding
+constexpr int k_max_size = 512;
+
+// One texel a line: six numbers, each the shortest that reads back as the same float.
+std::string number_rows(const LobeTable& table) {
+  std::string rows;
+  const int count = table.size * table.size;
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < k_stored; ++k)
+      rows += fmt::format("{}{}", table.texels[std::size_t(i) * LobeTable::k_channels + k],
+                          k + 1 < k_stored ? "," : "");
+    rows += i + 1 < count ? ",\n" : "\n";
+  }
+  return rows;
+}
+
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+std::string text_of(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+double number_of(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+bool ends_with(const std::string& text, const char* ending) {
+  const std::size_t n = std::strlen(ending);
+  return text.size() >= n && text.compare(text.size() - n, n, ending) == 0;
+}
+
+} // namespace
+
+std::string to_json(const LobeTable& table) {
+  const TableMetadata& m = table.metadata;
+  std::string out = "{\n";
+  out += fmt::format("\"format\": \"{}\",\n\"version\": {},\n", k_format, k_version);
+  out += "\"metadata\": {\n";
+  out += fmt::format("  \"brdf\": {},\n  \"variant\": {},\n", quoted(m.brdf), quoted(m.variant));
+  out += fmt::format("  \"objective\": {},\n", quoted(m.objective));
+  out += fmt::format("  \"command\": {},\n", quoted(m.command));
+  out += fmt::format("  \"tool_version\": {},\n", quoted(m.tool_version));
+  out += fmt::format("  \"mean_tv\": {},\n  \"max_tv\": {}\n}},\n", m.mean_tv, m.max_tv);
+  out += fmt::format("\"size\": {},\n", table.size);
+  out += "\"axes\": [\"x, fast: sqrt(alpha) = roughness, node i at i/(size-1)\", "
+         "\"y: sqrt(1 - cos theta), node j at j/(size-1)\"],\n";
+  out += "\"packing\": \"mirror frame: M^-1 = [A 0 aB; 0 1 0; aC 0 aD], a = alpha, acting on "
+         "(x', y, z'), x' = (cos, 0, sin), z' = (-sin, 0, cos)\",\n";
+  out += "\"channels\": [\"A\", \"B\", \"C\", \"D\", \"n1\", \"n5\"],\n";
+  out += "\"texels\": [\n" + number_rows(table) + "]\n}\n";
+  return out;
+}
+
+Result<LobeTable> from_json(const std::string& text, const std::string& name) {
+  const nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
+  if (root.is_discarded())
+    return Error{name + ": not a complete JSON file; was it cut off?"};
+  if (!root.is_object() || text_of(root, "format") != k_format)
+    return Error{fmt::format("{}: format is not \"{}\"; openltc fit writes such tables", name,
+                             k_format)};
+  if (number_of(root, "version") != k_version)
+    return Error{fmt::format("{}: version is not {}, the one this build reads", name, k_version)};
+
+  const double size = number_of(root, "size");
+  if (!(size >= 2 && size <= k_max_size && size == std::floor(size)))
+    return Error{fmt::format("{}: size must be a whole number from 2 to {}", name, k_max_size)};
+  const auto texels = root.find("texels");
+  if (texels == root.end() || !texels->is_array())
+    return Error{name + ": texels is missing"};
+  LobeTable table;
+  table.size = int(size);
+  const std::size_t count = std::size_t(table.size) * table.size;
+  if (texels->size() != count * k_stored)
+    return Error{fmt::format("{}: texels holds {} numbers, but size {} needs {}", name,
+                             texels->size(), table.size, count * k_stored)};
+
+  table.texels.assign(count * LobeTable::k_channels, 0.0f);
+  for (std::size_t i = 0; i < count; ++i) {
+    float* texel = table.texels.data() + i * LobeTable::k_channels;
+    for (int k = 0; k < k_stored; ++k) {
+      const nlohmann::json& value = (*texels)[i * k_stored + k];
+      if (value.is_number()) texel[k] = float(value.get<double>());
+      if (!value.is_number() || !std::isfinite(texel[k]))
+        return Error{fmt::format("{}: texels[{}] is not a finite number", name, i * k_stored + k)};
+    }
+    // At roughness 0, alpha is at its smallest, B C alpha vanishes; elsewhere alpha = x^2.
+    const double x = double(i % count % table.size) / (table.size - 1);
+    const double alpha = std::max(x * x, 1e-4);
+    if (!(double(texel[0]) * double(texel[3]) > alpha * double(texel[1]) * double(texel[2])))
+      return Error{fmt::format("{}: the lobe of node ({}, {}) has no positive determinant", name,
+                               i % table.size, i / table.size)};
+  }
+
+  const auto metadata = root.find("metadata");
+  if (metadata == root.end() || !metadata->is_object())
+    return Error{name + ": metadata is missing"};
+  table.metadata.brdf = text_of(*metadata, "brdf");
+  table.metadata.variant = text_of(*metadata, "variant");
+  table.metadata.objective = text_of(*metadata, "objective");
+  table.metadata.command = text_of(*metadata, "command");
+  table.metadata.tool_version = text_of(*metadata, "tool_version");
+  table.metadata.mean_tv = number_of(*metadata, "mean_tv");
+  table.metadata.max_tv = number_of(*metadata, "max_tv");
+  return table;
+}
+
+Result<LobeTable> read_table(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{path + ": cannot open; does it exist and may it be read?"};
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) return Error{path + ": cannot be read to its end"};
+  return from_json(text, path);
+}
+
+std::string to_builtin_source(const LobeTable& table) {
+  const TableMetadata& m = table.metadata;
+  std::string out = "// Copyright (c) 2026 The OpenLTC authors\n"
+                    "// SPDX-License-Identifier: MIT\n//\n";
+  out += fmt::format("// Generated by: {}\n// Do not edit: tools/make_builtin_table.sh writes it "
+                     "anew, and a test compares.\n//\n",
+                     m.command);
+  out += "// One texel a line: A B C D n1 n5 (openltc/table/lobe_table.h).\n\n";
+  out += "#include \"openltc/table/lobe_table.h\"\n\n";
+  out += "namespace openltc::table {\n\nnamespace {\n\n";
+  out += "// clang-format off\n";
+  out += fmt::format("const double k_numbers[{}] = {{\n", table.size * table.size * k_stored);
+  out += number_rows(table);
+  out += "};\n// clang-format on\n\n";
+  out += "LobeTable make_table() {\n  LobeTable table;\n";
+  out += fmt::format("  table.size = {};\n", table.size);
+  out += fmt::format("  table.texels.assign({}, 0.0f);\n",
+                     table.size * table.size * LobeTable::k_channels);
+  out += fmt::format("  for (int i = 0; i < {}; ++i)\n    for (int k = 0; k < {}; ++k)\n"
+                     "      table.texels[i * LobeTable::k_channels + k] = float(k_numbers[i * {} + "
+                     "k]);\n",
+                     table.size * table.size, k_stored, k_stored);
+  const auto field = [&](const char* name, const std::string& value) {
+    out += fmt::format("  table.metadata.{} = {};\n", name, value);
+  };
+  field("brdf", quoted(m.brdf));
+  field("variant", quoted(m.variant));
+  field("objective", quoted(m.objective));
+  field("command", quoted(m.command));
+  field("tool_version", quoted(m.tool_version));
+  field("mean_tv", fmt::format("{}", m.mean_tv));
+  field("max_tv", fmt::format("{}", m.max_tv));
+  out += "  return table;\n}\n\n} // namespace\n\n";
+  out += "const LobeTable& builtin_ggx_table() {\n  static const LobeTable table = make_table();\n"
+         "  return table;\n}\n\n} // namespace openltc::table\n";
+  return out;
+}
+
+Status write_table(const LobeTable& table, const std::string& path) {
+  std::string text;
+  if (ends_with(path, ".json")) {
+    text = to_json(table);
+  } else if (ends_with(path, ".cpp") || ends_with(path, ".inc")) {
+    text = to_builtin_source(table);
+  } else {
+    return Error{path + ": a table is written as .json, or as .cpp or .inc for C++ source"};
+  }
+  return write_atomically(path, [&](const std::string& temporary) -> Status {
+    std::ofstream file(temporary, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) return Error{path + ": cannot write; is the disk full?"};
+    return Success{};
+  });
+}
+
+} // namespace openltc::table

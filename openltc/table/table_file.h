@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Native files of a lobe table: JSON, which loses nothing, and the C++ source of the built-in.
+
+#pragma once
+
+#include "openltc/base/result.h"
+#include "openltc/table/lobe_table.h"
+
+#include <string>
+
+namespace openltc::table {
+
+/// The table as JSON text: metadata, axes and the six channels A B C D n1 n5 of every texel, each
+/// number the shortest that reads back as the same float.
+std::string to_json(const LobeTable& table);
+
+/// The inverse of to_json. `name` stands in for the file in error messages.
+/// Refuses: text that is not JSON or is cut off, another format or version, a size outside 2..512,
+/// a wrong number of texels, numbers that are not finite in single precision, and texels whose lobe
+/// has no positive determinant.
+Result<LobeTable> from_json(const std::string& text, const std::string& name);
+
+/// Reads a .json table; errors as from_json.
+Result<LobeTable> read_table(const std::string& path);
+
+/// Writes by extension: .json, or .cpp and .inc for the source of the built-in. Complete or not at
+/// all: an existing file stays when writing fails.
+Status write_table(const LobeTable& table, const std::string& path);
+
+/// C++ source that defines builtin_ggx_table() with the contents of `table`.
+std::string to_builtin_source(const LobeTable& table);
+
+} // namespace openltc::table
