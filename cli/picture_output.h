@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Where rendered pictures go: by the extension of the path.
+
+#pragma once
+
+#include "openltc/base/result.h"
+#include "openltc/image/file.h"
+#include "openltc/image/tonemap.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace openltc::cli {
+
+struct DisplayOptions {
+  std::optional<float> ev100; ///< none = chosen from the picture
+  image::Tonemap tonemap = image::Tonemap::neutral;
+};
+
+/// "SCENE.png" in the current folder.
+std::string default_output(const std::string& scene);
+
+/// Whether `path` can be written: known extension, existing and writable folder.
+Status check_output(const std::string& path);
+
+/// Factor from nits to display-linear values.
+Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display);
+
+/// Writes .exr and .hdr as radiance, .png as display values. A standard error becomes the layer
+/// "stderr" of an .exr and a file NAME_stderr.hdr beside an .hdr. Returns the paths written.
+Result<std::vector<std::string>> write_picture(const std::string& path,
+                                               const image::Image& radiance,
+                                               const image::Image* standard_error, float exposure,
+                                               image::Tonemap tonemap,
+                                               image::ExrPrecision precision);
+
+} // namespace openltc::cli

@@ -1,0 +1,328 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// openltc render: a picture of a glTF scene.
+
+#include "cli/commands.h"
+#include "cli/picture_output.h"
+
+#include "openltc/base/progress.h"
+#include "openltc/render/renderer.h"
+#include "openltc/scene/framing.h"
+#include "openltc/scene/gltf.h"
+#include "openltc/scene/studio.h"
+#include "openltc/table/table_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace openltc::cli {
+
+namespace {
+
+enum class LightChoice { automatic, scene, studio, both };
+
+struct RenderArguments {
+  std::string scene;
+  std::vector<std::string> outputs;
+  render::Integrator integrator = render::Integrator::ltc;
+  render::PunctualForm point_lights = render::PunctualForm::exact;
+  LightChoice lights = LightChoice::automatic;
+  std::string camera;
+  std::string size;
+  std::string background = "0";
+  std::string table;
+  std::optional<int> samples;
+  int shadow_samples = 16;
+  DisplayOptions display;
+  std::string exposure = "auto";
+  std::uint32_t seed = 0;
+  int threads = 0;
+  std::string kernel = "auto";
+  bool half = false;
+  bool quiet = false;
+  bool json = false;
+};
+
+constexpr int k_default_samples_ltc = 8;
+constexpr int k_default_samples_reference = 256;
+
+int fail(const std::string& message, ExitCode code = k_exit_failed) {
+  fmt::print(stderr, "openltc render: {}\n", message);
+  return code;
+}
+
+std::optional<float> parse_float(std::string_view text) {
+  float value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+/// "V" or "R,G,B".
+std::optional<Vec3f> parse_color(const std::string& text) {
+  std::vector<float> values;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    const auto value = parse_float(std::string_view(text).substr(begin, comma - begin));
+    if (!value || *value < 0) return {};
+    values.push_back(*value);
+    begin = comma + 1;
+  }
+  if (values.size() == 1) return Vec3f(values[0]);
+  if (values.size() == 3) return Vec3f(values[0], values[1], values[2]);
+  return {};
+}
+
+/// "1280x720".
+bool parse_size(const std::string& text, int& width, int& height) {
+  const std::size_t x = text.find('x');
+  if (x == std::string::npos) return false;
+  const auto number = [](std::string_view part, int& out) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), out);
+    return error == std::errc() && end == part.data() + part.size() && out > 0;
+  };
+  return number(std::string_view(text).substr(0, x), width) &&
+         number(std::string_view(text).substr(x + 1), height);
+}
+
+/// The camera that --camera names: a number from 0, a name, or "frame"; empty = the first.
+Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string& choice,
+                                    const std::string& file, float aspect) {
+  if (choice == "frame" || (choice.empty() && scene.cameras.empty()))
+    return scene::frame_scene(scene.bounds, aspect);
+  if (choice.empty()) return scene.cameras[0];
+  for (const scene::Camera& camera : scene.cameras)
+    if (camera.name == choice) return camera;
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), index);
+  if (error == std::errc() && end == choice.data() + choice.size() && index < scene.cameras.size())
+    return scene.cameras[index];
+  std::string known = "\"frame\"";
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+    known += fmt::format(", {} \"{}\"", i, scene.cameras[i].name);
+  return Error{fmt::format("{}: --camera {}: no such camera; there are {}", file, choice, known)};
+}
+
+void choose_lights(scene::Scene& scene, LightChoice choice, const scene::Camera& camera) {
+  if (choice == LightChoice::automatic)
+    choice = scene.lights.empty() ? LightChoice::studio : LightChoice::scene;
+  if (choice == LightChoice::scene) return;
+  light::Lights studio = scene::studio_lights(scene.bounds, camera);
+  if (choice == LightChoice::studio) {
+    scene.lights = std::move(studio);
+    return;
+  }
+  auto& polygons = scene.lights.polygons;
+  polygons.insert(polygons.end(), studio.polygons.begin(), studio.polygons.end());
+}
+
+int run_render(const RenderArguments& arguments) {
+  render::RenderOptions options;
+  const bool size_given = !arguments.size.empty();
+  if (size_given && !parse_size(arguments.size, options.width, options.height))
+    return fail(fmt::format("--size {}: write WIDTHxHEIGHT, e.g. 1280x720", arguments.size),
+                k_exit_usage);
+  const auto background = parse_color(arguments.background);
+  if (!background)
+    return fail(fmt::format("--background {}: write one number or R,G,B in nits, each 0 or more",
+                            arguments.background),
+                k_exit_usage);
+  options.background = *background;
+  DisplayOptions display = arguments.display;
+  if (arguments.exposure != "auto") {
+    display.ev100 = parse_float(arguments.exposure);
+    if (!display.ev100)
+      return fail(fmt::format("--exposure {}: write \"auto\" or an EV100 such as 12.5",
+                              arguments.exposure),
+                  k_exit_usage);
+  }
+  options.integrator = arguments.integrator;
+  const bool reference = options.integrator == render::Integrator::reference;
+  options.samples =
+      arguments.samples.value_or(reference ? k_default_samples_reference : k_default_samples_ltc);
+  options.shadow_samples = arguments.shadow_samples;
+  options.punctual_form = arguments.point_lights;
+  options.seed = arguments.seed;
+  options.threads = arguments.threads;
+  options.kernel = arguments.kernel;
+  options.quiet = arguments.quiet;
+
+  // Find out now, not after the work, that a picture cannot be written.
+  for (const std::string& output : arguments.outputs)
+    if (Status status = check_output(output); !status.ok()) return fail(status.error().message);
+
+  const auto load_start = std::chrono::steady_clock::now();
+  Result<scene::Scene> loaded = scene::load_gltf(arguments.scene);
+  if (!loaded) return fail(loaded.error().message);
+  scene::Scene& scene = *loaded;
+  const double load_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - load_start).count();
+
+  const float wanted_aspect = float(options.width) / float(options.height);
+  Result<scene::Camera> camera =
+      choose_camera(scene, arguments.camera, arguments.scene, wanted_aspect);
+  if (!camera) return fail(camera.error().message);
+  if (!size_given && camera->aspect > 0)
+    options.width = std::clamp(int(float(options.height) * camera->aspect + 0.5f), 16, 8192);
+  choose_lights(scene, arguments.lights, *camera);
+
+  table::LobeTable own_table;
+  if (!arguments.table.empty()) {
+    Result<table::LobeTable> read = table::read_table(arguments.table);
+    if (!read) return fail(read.error().message);
+    own_table = std::move(*read);
+  }
+  const table::LobeTable& lobe_table =
+      arguments.table.empty() ? table::builtin_ggx_table() : own_table;
+
+  if (!arguments.quiet) {
+    for (const std::string& warning : scene.warnings)
+      fmt::print(stderr, "warning: {}\n", warning);
+    std::size_t triangles = 0;
+    for (const scene::Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+    fmt::print(stderr, "{}: {} triangles, {} polygon and {} punctual lights, loaded in {:.2f} s\n",
+               arguments.scene, triangles, scene.lights.polygons.size(),
+               scene.lights.punctual.size(), load_seconds);
+    if (scene.lights.empty())
+      fmt::print(stderr, "warning: the scene has no light; --lights studio adds one\n");
+  }
+
+  catch_interrupts();
+  Result<render::Picture> picture = render::render(scene, *camera, lobe_table, options);
+  if (!picture) return fail(picture.error().message);
+  if (!arguments.quiet)
+    for (const std::string& warning : picture->warnings)
+      fmt::print(stderr, "warning: {}\n", warning);
+
+  Result<float> exposure = resolve_exposure(picture->radiance, display);
+  if (!exposure) return fail(exposure.error().message);
+  for (const std::string& output : arguments.outputs) {
+    const image::Image* standard_error = reference ? &picture->standard_error : nullptr;
+    Result<std::vector<std::string>> written =
+        write_picture(output, picture->radiance, standard_error, *exposure, display.tonemap,
+                      arguments.half ? image::ExrPrecision::half_float
+                                     : image::ExrPrecision::full_float);
+    if (!written) return fail(written.error().message);
+    if (!arguments.quiet)
+      for (const std::string& path : *written) fmt::print(stderr, "wrote {}\n", path);
+  }
+
+  if (arguments.json) {
+    const nlohmann::ordered_json report = {
+        {"scene", arguments.scene},
+        {"integrator", reference ? "reference" : "ltc"},
+        {"width", options.width},
+        {"height", options.height},
+        {"samples", options.samples},
+        {"shadow_samples", options.shadow_samples},
+        {"polygon_lights", scene.lights.polygons.size()},
+        {"punctual_lights", scene.lights.punctual.size()},
+        {"kernel", picture->kernel},
+        {"load_seconds", load_seconds},
+        {"build_seconds", picture->build_seconds},
+        {"render_seconds", picture->render_seconds},
+        {"ev100", image::ev100_from_exposure(*exposure)},
+        {"outputs", arguments.outputs},
+    };
+    fmt::print("{}\n", report.dump(2));
+  } else if (!arguments.quiet) {
+    fmt::print(stderr, "{}x{}, {} samples per pixel, {}: {:.2f} s; EV100 {:.2f}\n", options.width,
+               options.height, options.samples, picture->kernel, picture->render_seconds,
+               double(image::ev100_from_exposure(*exposure)));
+  }
+  return k_exit_ok;
+}
+
+} // namespace
+
+void add_render(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* command = app.add_subcommand(
+      "render",
+      "Render a glTF scene, lit by its polygon and point lights.\n\n"
+      "Area lights are integrated in closed form with linearly transformed cosines (LTC), so the\n"
+      "light itself has no noise; shadows are sampled. Lights come from the file: planar emissive\n"
+      "surfaces, KHR_lights_punctual, EXT_lights_area. A file without lights gets a studio rig, a\n"
+      "file without camera is framed.\n\n"
+      "Examples:\n"
+      "  openltc render helmet.glb                          writes helmet.png here\n"
+      "  openltc render room.glb -o room.exr -o room.png    radiance and a picture to look at\n"
+      "  openltc render room.glb --shadow-samples 0 --samples 64 -o clean.png\n"
+      "  openltc render room.glb --integrator reference --samples 1024 -o truth.exr\n"
+      "  openltc compare room.exr truth.exr");
+  RenderArguments& a = *arguments;
+  command->add_option("scene", a.scene, "The scene, .gltf or .glb")->required();
+  command->add_option("-o,--output", a.outputs,
+                      "File to write, may be repeated; .exr and .hdr hold scene-linear radiance in "
+                      "nits, .png an exposed, tone-mapped picture [SCENE.png in this folder]")
+      ->allow_extra_args(false);
+  const std::map<std::string, render::Integrator> integrators = {
+      {"ltc", render::Integrator::ltc}, {"reference", render::Integrator::reference}};
+  command->add_option("--integrator", a.integrator,
+                      "ltc: closed form times sampled shadows; reference: unbiased sampling with "
+                      "the true BRDF, and a layer \"stderr\" with its standard error [ltc]")
+      ->transform(CLI::CheckedTransformer(integrators).description("ltc|reference"));
+  command->add_option("--samples", a.samples,
+                      "Camera samples per pixel [8; reference 256, each with one light sample]")
+      ->check(CLI::Range(1, 1 << 20));
+  command->add_option("--shadow-samples", a.shadow_samples,
+                      "Shadow rays per camera sample and area light; 0 turns all shadows off")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  const std::map<std::string, render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
+                                                             {"ltc", render::PunctualForm::ltc}};
+  command->add_option("--point-lights", a.point_lights,
+                      "Point, spot and directional lights by the exact BRDF or by the density of "
+                      "its LTC lobe [exact]")
+      ->transform(CLI::CheckedTransformer(forms).description("exact|ltc"));
+  const std::map<std::string, LightChoice> choices = {
+      {"auto", LightChoice::automatic}, {"scene", LightChoice::scene},
+      {"studio", LightChoice::studio}, {"both", LightChoice::both}};
+  command->add_option("--lights", a.lights,
+                      "Which lights: those of the scene, a studio rig of three soft boxes, or both "
+                      "[scene; studio where it has none]")
+      ->transform(CLI::CheckedTransformer(choices).description("scene|studio|both"));
+  command->add_option("--camera", a.camera,
+                      "Camera by name or number from 0; \"frame\" shows the whole scene [the first]");
+  command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]");
+  command->add_option("--background", a.background,
+                      "Radiance where nothing is hit, in nits: one number or R,G,B")
+      ->capture_default_str();
+  command->add_option("--exposure", a.exposure, "EV100 or \"auto\"; for .png only")
+      ->capture_default_str();
+  const std::map<std::string, image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
+                                                          {"aces", image::Tonemap::aces},
+                                                          {"none", image::Tonemap::none}};
+  command->add_option("--tonemap", a.display.tonemap,
+                      "For .png: Khronos PBR Neutral, ACES, or none [neutral]")
+      ->transform(CLI::CheckedTransformer(tonemaps).description("neutral|aces|none"));
+  command->add_flag("--half", a.half, "Write .exr in half precision");
+  command->add_option("--table", a.table, "Lobe table from openltc fit (.json) [built-in GGX]");
+  command->add_option("--seed", a.seed, "Seed of the sampling")->capture_default_str();
+  command->add_option("--threads", a.threads,
+                      "Threads, 0 for all cores; the picture is the same for any number")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  command->add_option("--kernel", a.kernel,
+                      "Shading kernel, to compare: auto, scalar, sse2, avx2, avx512, neon")
+      ->check(CLI::IsMember({"auto", "scalar", "sse2", "avx2", "avx512", "neon"}))
+      ->capture_default_str();
+  command->add_flag("--json", a.json, "Print what was done and the times as JSON on stdout");
+  command->add_flag("--quiet", a.quiet, "No progress, warnings and messages on stderr");
+  command->callback([arguments, &exit_code] {
+    if (arguments->outputs.empty()) arguments->outputs = {default_output(arguments->scene)};
+    exit_code = run_render(*arguments);
+  });
+}
+
+} // namespace openltc::cli

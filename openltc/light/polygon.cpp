@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// The area of a planar ring is half the sum of cross products of consecutive vertices, taken
+// about one of its own vertices so that a light far from the origin keeps its precision.
+
+#include "openltc/light/polygon.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace openltc::light {
+
+namespace {
+
+Vec3d to_double(Vec3f v) {
+  return {double(v.x), double(v.y), double(v.z)};
+}
+
+bool is_finite(Vec3f v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_non_negative(Vec3f v) {
+  return v.x >= 0 && v.y >= 0 && v.z >= 0;
+}
+
+bool is_unit(Vec3f v) {
+  return std::abs(length(to_double(v)) - 1) < 1e-3;
+}
+
+} // namespace
+
+std::span<const Vec3f> ring_vertices(const PolygonLight& light, std::size_t ring) {
+  const std::size_t begin = ring == 0 ? 0 : light.ring_end[ring - 1];
+  return std::span<const Vec3f>(light.vertices).subspan(begin, light.ring_end[ring] - begin);
+}
+
+double signed_ring_area(std::span<const Vec3f> ring, Vec3f normal) {
+  if (ring.size() < 3) return 0;
+  const Vec3d origin = to_double(ring[0]);
+  Vec3d sum{0, 0, 0};
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    sum += cross(to_double(ring[i]) - origin, to_double(ring[i + 1]) - origin);
+  return 0.5 * dot(sum, to_double(normal));
+}
+
+double area(const PolygonLight& light) {
+  double sum = 0;
+  for (std::size_t r = 0; r < light.ring_end.size(); ++r)
+    sum += signed_ring_area(ring_vertices(light, r), light.normal);
+  return sum;
+}
+
+Vec3f flux_lumens(const PolygonLight& light) {
+  const double sides = light.two_sided ? 2 : 1;
+  return light.radiance * float(std::numbers::pi * sides * area(light));
+}
+
+Status validate(const PolygonLight& light) {
+  const auto wrong = [&](const char* what) {
+    return Error{fmt::format("light \"{}\": {}", light.name, what)};
+  };
+  if (light.ring_end.empty() || light.ring_end.back() != light.vertices.size())
+    return wrong("ring_end does not end at the last vertex");
+  std::size_t begin = 0;
+  for (const std::uint32_t end : light.ring_end) {
+    if (end > light.vertices.size() || end < begin + 3)
+      return wrong("a ring has fewer than three vertices");
+    begin = end;
+  }
+  if (!std::all_of(light.vertices.begin(), light.vertices.end(), is_finite))
+    return wrong("a vertex is not finite");
+  if (!is_finite(light.normal) || !is_unit(light.normal)) return wrong("the normal is not unit");
+  if (!is_finite(light.radiance) || !is_non_negative(light.radiance))
+    return wrong("the radiance is negative or not finite");
+  const double total = area(light);
+  if (!(total > 0) || !std::isfinite(total)) return wrong("the outline has no area");
+
+  // Planar within rounding: 1e-4 of the extent, the tolerance with which emitters are merged,
+  // plus the rounding of coordinates far from the origin.
+  const Vec3d origin = to_double(light.vertices[0]);
+  double extent = 0, distance = 0, magnitude = 0;
+  for (const Vec3f vertex : light.vertices) {
+    const Vec3d offset = to_double(vertex) - origin;
+    extent = std::max(extent, length(offset));
+    magnitude = std::max(magnitude, length(to_double(vertex)));
+    distance = std::max(distance, std::abs(dot(offset, to_double(light.normal))));
+  }
+  if (distance > 1e-4 * extent + 1e-6 * magnitude)
+    return wrong("the vertices are not in one plane");
+  return Success{};
+}
+
+Status validate(const PunctualLight& light) {
+  const auto wrong = [&](const char* what) {
+    return Error{fmt::format("light \"{}\": {}", light.name, what)};
+  };
+  if (!is_finite(light.position)) return wrong("the position is not finite");
+  if (!is_finite(light.intensity) || !is_non_negative(light.intensity))
+    return wrong("the intensity is negative or not finite");
+  if (!std::isfinite(light.range) || light.range < 0) return wrong("the range is negative");
+  if (light.type != PunctualType::point &&
+      (!is_finite(light.direction) || !is_unit(light.direction)))
+    return wrong("the direction is not unit");
+  if (light.type == PunctualType::spot && !(light.cos_outer <= light.cos_inner))
+    return wrong("the inner cone is wider than the outer one");
+  return Success{};
+}
+
+} // namespace openltc::light

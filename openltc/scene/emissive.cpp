@@ -1,0 +1,410 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// From triangles to planes: take the largest triangle that is left, collect everything that lies in
+// its plane within the tolerances, go on with the rest. Flat emitters give one plane for each of
+// their sides, curved ones one for each facet. A hash over plane normal and offset finds the
+// candidates, so that the time grows with the number of triangles and not with its square.
+
+#include "openltc/scene/emissive.h"
+
+#include "openltc/light/polygon.h"
+#include "openltc/scene/outline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <unordered_map>
+
+namespace openltc::scene {
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+// More lights than this deserve a word of warning: time grows with their number.
+constexpr std::size_t k_many_lights = 256;
+
+Vec3d to_double(Vec3f v) {
+  return {double(v.x), double(v.y), double(v.z)};
+}
+Vec3f to_float(Vec3d v) {
+  return {float(v.x), float(v.y), float(v.z)};
+}
+
+struct CellHash {
+  std::size_t operator()(const std::array<std::int64_t, 4>& cell) const {
+    std::uint64_t h = 14695981039346656037u; // FNV-1a, word-wise
+    for (const std::int64_t c : cell)
+      h = (h ^ std::uint64_t(c)) * 1099511628211u;
+    return std::size_t(h ^ (h >> 31));
+  }
+};
+
+using Cell = std::array<std::int64_t, 4>;
+using Grid = std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash>;
+
+// Calls visit(cell) for `center` and its neighbours in the first `dimensions` directions.
+template <class Visit>
+void for_neighbours(const Cell& center, int dimensions, const Visit& visit) {
+  int cells = 1;
+  for (int d = 0; d < dimensions; ++d)
+    cells *= 3;
+  for (int i = 0; i < cells; ++i) {
+    Cell cell = center;
+    for (int d = 0, rest = i; d < dimensions; ++d, rest /= 3)
+      cell[std::size_t(d)] += rest % 3 - 1;
+    visit(cell);
+  }
+}
+
+struct Extent {
+  Vec3d center{0, 0, 0};
+  double diagonal = 0;
+  double weld = 0;  // metres
+  double plane = 0; // metres
+};
+
+Extent extent_of(const Mesh& mesh, const EmissiveOptions& options) {
+  Vec3d lower(1e300, 1e300, 1e300), upper(-1e300, -1e300, -1e300);
+  double magnitude = 0;
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      const Vec3d p = to_double(mesh.positions[corner]);
+      lower = Vec3d(std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z));
+      upper = Vec3d(std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z));
+      magnitude = std::max({magnitude, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  }
+  Extent extent;
+  extent.center = (lower + upper) * 0.5;
+  extent.diagonal = length(upper - lower);
+  // Single-precision coordinates are known to 6e-8 of their size, however small the mesh is.
+  const double rounding = 2.5e-7 * magnitude;
+  extent.weld = options.weld * extent.diagonal + rounding;
+  extent.plane = options.plane * extent.diagonal + rounding;
+  return extent;
+}
+
+// The mesh with equal vertices joined and relative to the centre, without triangles of no area.
+struct WeldedMesh {
+  std::vector<Vec3d> points;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> source; // triangle of the mesh
+  std::vector<Vec3d> normals;        // unit
+  std::vector<double> areas;
+};
+
+WeldedMesh weld(const Mesh& mesh, const Extent& extent) {
+  constexpr std::uint32_t k_none = 0xFFFFFFFF;
+  WeldedMesh welded;
+  Grid grid;
+  std::vector<std::uint32_t> joined(mesh.positions.size(), k_none);
+  const double cell_size = std::max(extent.weld, 1e-30);
+  const auto join = [&](std::uint32_t corner) {
+    if (joined[corner] != k_none) return joined[corner];
+    const Vec3d p = to_double(mesh.positions[corner]) - extent.center;
+    const Cell cell = {std::llround(p.x / cell_size), std::llround(p.y / cell_size),
+                       std::llround(p.z / cell_size), 0};
+    for_neighbours(cell, 3, [&](const Cell& neighbour) {
+      const auto found = grid.find(neighbour);
+      if (found == grid.end()) return;
+      for (const std::uint32_t known : found->second)
+        if (joined[corner] == k_none && length(welded.points[known] - p) <= extent.weld)
+          joined[corner] = known;
+    });
+    if (joined[corner] == k_none) {
+      joined[corner] = std::uint32_t(welded.points.size());
+      welded.points.push_back(p);
+      grid[cell].push_back(joined[corner]);
+    }
+    return joined[corner];
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const Triangle corners = {join(t[0]), join(t[1]), join(t[2])};
+    const Vec3d a = welded.points[corners[0]];
+    const Vec3d n = cross(welded.points[corners[1]] - a, welded.points[corners[2]] - a);
+    const double doubled_area = length(n);
+    if (!(doubled_area > extent.weld * extent.weld)) continue;
+    welded.triangles.push_back(corners);
+    welded.source.push_back(std::uint32_t(i));
+    welded.normals.push_back(n / doubled_area);
+    welded.areas.push_back(0.5 * doubled_area);
+  }
+  return welded;
+}
+
+// Triangles of one plane, all counter-clockwise about the plane's normal.
+struct Plane {
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> members; // of the welded mesh
+};
+
+class PlaneFinder {
+public:
+  PlaneFinder(const WeldedMesh& mesh, const Extent& extent, const EmissiveOptions& options,
+              bool two_sided)
+      : mesh_(mesh), extent_(extent), two_sided_(two_sided),
+        cos_angle_(std::cos(options.plane_angle_rad)), normal_cell_(1.05 * options.plane_angle_rad),
+        // Normals that differ by the angle shift the offset of a plane through the same point by up
+        // to half the diagonal times the angle.
+        offset_cell_(extent.diagonal * options.plane_angle_rad + 2 * extent.plane),
+        is_taken_(mesh.triangles.size(), false) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      grid_[cell_of(mesh.normals[i], offset_of(i))].push_back(std::uint32_t(i));
+  }
+
+  std::vector<Plane> find() {
+    std::vector<std::uint32_t> by_area(mesh_.triangles.size());
+    std::iota(by_area.begin(), by_area.end(), 0u);
+    std::stable_sort(by_area.begin(), by_area.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return mesh_.areas[a] > mesh_.areas[b];
+    });
+    std::vector<Plane> planes;
+    for (const std::uint32_t seed : by_area)
+      if (!is_taken_[seed]) planes.push_back(collect(seed));
+    return planes;
+  }
+
+private:
+  double offset_of(std::size_t triangle) const {
+    return dot(mesh_.normals[triangle], mesh_.points[mesh_.triangles[triangle][0]]);
+  }
+
+  Cell cell_of(Vec3d normal, double offset) const {
+    return {std::llround(normal.x / normal_cell_), std::llround(normal.y / normal_cell_),
+            std::llround(normal.z / normal_cell_), std::llround(offset / offset_cell_)};
+  }
+
+  Plane collect(std::uint32_t seed) {
+    Plane plane;
+    const Vec3d normal = mesh_.normals[seed];
+    const double offset = offset_of(seed);
+    gather(normal, offset, normal, offset, false, plane);
+    // Light that leaves both sides does not care which side a triangle was drawn from.
+    if (two_sided_) gather(-normal, -offset, normal, offset, true, plane);
+    std::sort(plane.members.begin(), plane.members.end());
+    remove_duplicates(plane, normal);
+    return plane;
+  }
+
+  void gather(Vec3d key_normal, double key_offset, Vec3d normal, double offset, bool is_reversed,
+              Plane& plane) {
+    for_neighbours(cell_of(key_normal, key_offset), 4, [&](const Cell& cell) {
+      const auto found = grid_.find(cell);
+      if (found == grid_.end()) return;
+      std::vector<std::uint32_t>& candidates = found->second;
+      std::size_t left = 0;
+      for (const std::uint32_t candidate : candidates) {
+        if (is_taken_[candidate]) continue;
+        const double cos_to_plane = dot(mesh_.normals[candidate], normal) * (is_reversed ? -1 : 1);
+        if (cos_to_plane >= cos_angle_ && lies_in(candidate, normal, offset)) {
+          is_taken_[candidate] = true;
+          plane.members.push_back(candidate);
+        } else {
+          candidates[left++] = candidate;
+        }
+      }
+      candidates.resize(left);
+    });
+  }
+
+  bool lies_in(std::uint32_t triangle, Vec3d normal, double offset) const {
+    for (const std::uint32_t corner : mesh_.triangles[triangle])
+      if (!(std::abs(dot(mesh_.points[corner], normal) - offset) <= extent_.plane)) return false;
+    return true;
+  }
+
+  // A triangle that stands twice in the same place shines once: the camera sees one of them.
+  void remove_duplicates(Plane& plane, Vec3d normal) const {
+    std::set<Triangle> seen;
+    std::vector<std::uint32_t> members;
+    for (const std::uint32_t member : plane.members) {
+      Triangle t = mesh_.triangles[member];
+      if (dot(mesh_.normals[member], normal) < 0) std::swap(t[1], t[2]);
+      Triangle sorted = t;
+      std::sort(sorted.begin(), sorted.end());
+      if (!seen.insert(sorted).second) continue;
+      members.push_back(member);
+      plane.triangles.push_back(t);
+    }
+    plane.members = std::move(members);
+  }
+
+  const WeldedMesh& mesh_;
+  const Extent& extent_;
+  bool two_sided_;
+  double cos_angle_;
+  double normal_cell_;
+  double offset_cell_;
+  std::vector<bool> is_taken_;
+  Grid grid_;
+};
+
+float wrapped(float u, Wrap wrap) {
+  if (wrap == Wrap::clamp_to_edge) return std::clamp(u, 0.0f, 1.0f);
+  if (wrap == Wrap::repeat) return u - std::floor(u);
+  const float v = u - 2 * std::floor(u / 2); // 0 .. 2
+  return v <= 1 ? v : 2 - v;
+}
+
+Vec3f nearest_texel(const Texture& texture, float u, float v) {
+  const int width = texture.image.width, height = texture.image.height;
+  const int x = std::min(int(wrapped(u, texture.wrap_u) * float(width)), width - 1);
+  const int y = std::min(int(wrapped(v, texture.wrap_v) * float(height)), height - 1);
+  return texture.image.rgb(x, y);
+}
+
+struct TextureMean {
+  Vec3d sum{0, 0, 0};
+  double weight = 0;
+  double lowest = 1e30, highest = -1e30;
+};
+
+// Adds one triangle with weight `area`: as many well-spread points as it covers texels.
+void add_samples(const Mesh& mesh, const TextureRef& ref, const Texture& texture,
+                 std::uint32_t triangle, double area, TextureMean& mean) {
+  const auto& tex_coord = ref.tex_coord == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
+  Vec2f uv[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Vec2f raw = tex_coord[mesh.triangles[triangle][c]];
+    uv[c] = Vec2f(ref.uv_row0[0] * raw.x + ref.uv_row0[1] * raw.y + ref.uv_row0[2],
+                  ref.uv_row1[0] * raw.x + ref.uv_row1[1] * raw.y + ref.uv_row1[2]);
+  }
+  const Vec2f e1 = uv[1] - uv[0], e2 = uv[2] - uv[0];
+  const double texels = 0.5 * std::abs(double(e1.x) * double(e2.y) - double(e1.y) * double(e2.x)) *
+                        texture.image.width * texture.image.height;
+  const int count = int(std::clamp(texels, 16.0, 16384.0));
+  for (int i = 0; i < count; ++i) {
+    // Additive recurrence with the plastic number (M. Roberts, 2018), folded into the triangle.
+    double a = std::fmod(0.5 + 0.7548776662466927 * (i + 1), 1.0);
+    double b = std::fmod(0.5 + 0.5698402909980532 * (i + 1), 1.0);
+    if (a + b > 1) {
+      a = 1 - a;
+      b = 1 - b;
+    }
+    const Vec2f at = uv[0] + e1 * float(a) + e2 * float(b);
+    const Vec3f value =
+        std::isfinite(at.x) && std::isfinite(at.y) && std::abs(at.x) < 1e9f && std::abs(at.y) < 1e9f
+            ? nearest_texel(texture, at.x, at.y)
+            : Vec3f(0, 0, 0);
+    mean.sum += to_double(value) * (area / count);
+    mean.lowest = std::min({mean.lowest, double(value.x), double(value.y), double(value.z)});
+    mean.highest = std::max({mean.highest, double(value.x), double(value.y), double(value.z)});
+  }
+  mean.weight += area;
+}
+
+// The plane through all members: area-weighted normal and centre.
+void fit_plane(const WeldedMesh& mesh, const Plane& plane, Vec3d& normal, Vec3d& center) {
+  Vec3d normal_sum{0, 0, 0}, center_sum{0, 0, 0};
+  double area_sum = 0;
+  for (const Triangle& t : plane.triangles) {
+    const Vec3d a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
+    const Vec3d doubled = cross(b - a, c - a);
+    const double area = 0.5 * length(doubled);
+    normal_sum += doubled;
+    center_sum += (a + b + c) * (area / 3);
+    area_sum += area;
+  }
+  normal = normalize(normal_sum);
+  center = center_sum / area_sum;
+}
+
+light::PolygonLight light_of(const WeldedMesh& mesh, const Plane& plane, const Extent& extent) {
+  Vec3d normal, center;
+  fit_plane(mesh, plane, normal, center);
+  // Only this plane's corners, moved into the plane.
+  std::unordered_map<std::uint32_t, std::uint32_t> local;
+  std::vector<Vec3d> points;
+  std::vector<Triangle> triangles = plane.triangles;
+  for (Triangle& t : triangles) {
+    for (std::uint32_t& corner : t) {
+      const auto [place, is_new] = local.try_emplace(corner, std::uint32_t(points.size()));
+      if (is_new) {
+        const Vec3d p = mesh.points[corner];
+        points.push_back(p - normal * dot(p - center, normal));
+      }
+      corner = place->second;
+    }
+  }
+  light::PolygonLight light;
+  light.normal = to_float(normal);
+  for (const Ring& ring : trace_outline(points, triangles, normal, extent.weld)) {
+    for (const Vec3d& p : ring)
+      light.vertices.push_back(to_float(p + extent.center));
+    light.ring_end.push_back(std::uint32_t(light.vertices.size()));
+  }
+  return light;
+}
+
+} // namespace
+
+std::vector<light::PolygonLight> emissive_lights(const Mesh& mesh, const Material& material,
+                                                 const std::vector<Texture>& textures,
+                                                 std::vector<std::string>& warnings,
+                                                 const EmissiveOptions& options) {
+  const Vec3f emission = material.emission;
+  const bool emits = emission.x > 0 || emission.y > 0 || emission.z > 0;
+  if (!emits || material.unlit || mesh.triangles.empty()) return {};
+
+  const Extent extent = extent_of(mesh, options);
+  const WeldedMesh welded = weld(mesh, extent);
+  std::vector<Plane> planes = PlaneFinder(welded, extent, options, material.double_sided).find();
+
+  const TextureRef& ref = material.emission_texture;
+  const auto& tex_coord = ref.tex_coord == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
+  const bool is_textured = ref.texture >= 0 && !tex_coord.empty();
+  std::vector<light::PolygonLight> lights;
+  std::size_t left_out = mesh.triangles.size() - welded.triangles.size();
+  bool is_averaged = false;
+  for (const Plane& plane : planes) {
+    Vec3f radiance = emission;
+    if (is_textured) {
+      const Texture& texture = textures[std::size_t(ref.texture)];
+      TextureMean mean;
+      for (const std::uint32_t member : plane.members)
+        add_samples(mesh, ref, texture, welded.source[member], welded.areas[member], mean);
+      radiance = emission * to_float(mean.sum / mean.weight);
+      is_averaged = is_averaged || mean.highest - mean.lowest > 0.01;
+    }
+    if (!(radiance.x > 0) && !(radiance.y > 0) && !(radiance.z > 0)) continue; // dark by texture
+    light::PolygonLight light = light_of(welded, plane, extent);
+    light.name = mesh.name;
+    light.radiance = radiance;
+    light.two_sided = material.double_sided;
+    if (light::validate(light).ok())
+      lights.push_back(std::move(light));
+    else
+      left_out += plane.triangles.size();
+  }
+  if (is_averaged)
+    warnings.push_back(
+        fmt::format("mesh \"{}\": its emission texture is averaged over each plane for "
+                    "the light that it gives; the camera sees it in full",
+                    mesh.name));
+  if (left_out != 0)
+    warnings.push_back(fmt::format("mesh \"{}\": {} emissive triangles are too small to give light",
+                                   mesh.name, left_out));
+  if (lights.size() > k_many_lights)
+    warnings.push_back(
+        fmt::format("mesh \"{}\": its curved emissive surface makes {} polygon lights, "
+                    "which takes long to render; fewer facets help",
+                    mesh.name, lights.size()));
+  return lights;
+}
+
+void add_emissive_lights(Scene& scene) {
+  for (const Mesh& mesh : scene.meshes) {
+    auto lights = emissive_lights(mesh, scene.materials[std::size_t(mesh.material)], scene.textures,
+                                  scene.warnings);
+    for (auto& light : lights)
+      scene.lights.polygons.push_back(std::move(light));
+  }
+}
+
+} // namespace openltc::scene

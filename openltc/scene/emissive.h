@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// Emissive surfaces become polygon lights.
+
+#pragma once
+
+#include "openltc/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace openltc::scene {
+
+/// Tolerances of emissive_lights, relative to the diagonal of the mesh's bounding box.
+struct EmissiveOptions {
+  double weld = 1e-6;               ///< vertices closer than this are one
+  double plane = 1e-4;              ///< triangles whose corners are this close to a plane lie in it
+  double plane_angle_rad = 0.01745; ///< and whose normal is this close to the plane's (1 degree)
+};
+
+/// The polygon lights of `mesh`: one for each plane in which emissive triangles lie, with as many
+/// outlines as the plane has islands and holes. Their radiance is material.emission times the mean
+/// of the emission texture over the plane's surface. One-sided unless the material is double-sided.
+/// Appends to `warnings` what the user should know. Empty when nothing is emitted.
+std::vector<light::PolygonLight> emissive_lights(const Mesh& mesh, const Material& material,
+                                                 const std::vector<Texture>& textures,
+                                                 std::vector<std::string>& warnings,
+                                                 const EmissiveOptions& options = {});
+
+/// Adds the lights of all emissive meshes to scene.lights. The meshes stay: the camera sees them.
+void add_emissive_lights(Scene& scene);
+
+} // namespace openltc::scene

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// Reading the typed arrays of a glTF file.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace openltc::scene::gltf {
+
+struct Document;
+
+/// An accessor's values as floats, element after element. Normalised integers are scaled to
+/// [0, 1] or [-1, 1], others are taken as they are (KHR_mesh_quantization); sparse values are put
+/// in.
+struct Floats {
+  std::vector<float> values;
+  std::size_t components = 0; ///< per element
+  std::size_t count = 0;      ///< elements
+};
+
+/// Reads accessors[index]. Throws Failure when its data does not lie within its buffer view; checks
+/// that before it allocates.
+Floats read_floats(const Document& document, int index);
+
+/// Reads accessors[index] as whole numbers, for triangle indices. Throws Failure as read_floats
+/// does, and when its type is not an unsigned SCALAR.
+std::vector<std::uint32_t> read_indices(const Document& document, int index);
+
+/// "accessors[index]", for messages.
+std::string accessor_field(int index);
+
+} // namespace openltc::scene::gltf

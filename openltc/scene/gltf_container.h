@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// The two containers of glTF: .glb (binary chunks) and .gltf (text).
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace openltc::scene::gltf {
+
+/// Views into the file's bytes.
+struct Container {
+  std::string_view json;
+  std::span<const std::uint8_t> binary; ///< the BIN chunk of a .glb
+  bool has_binary = false;
+};
+
+/// Tells .glb from .gltf by content and finds the parts. Throws Failure when the bytes are neither,
+/// when a .glb is cut short, or when its JSON nests deeper than a parser may be trusted with.
+Container split_container(std::span<const std::uint8_t> bytes);
+
+} // namespace openltc::scene::gltf

@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// What tinygltf is guarded against, each found in version 2.5 or 2.7 as the distributions ship it:
+// - it refuses a Draco primitive whose index accessor has no buffer view, as most have, so those
+//   indices are taken away before (the compressed data has its own);
+// - it refuses buffers without URI, which EXT_meshopt_compression uses as placeholders, and its
+//   messages do not name fields, so that buffers and images are read here;
+// - it silently ignores fields of the wrong type and truncates integers to 32 bits, and 2.5 reads
+//   past its arrays for indices out of range: check_schema comes first;
+// - it recurses over `extras` and extensions: split_container limits the nesting.
+
+#include "openltc/scene/gltf_document.h"
+
+#include "openltc/scene/gltf_extensions.h"
+#include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_meshopt.h"
+#include "openltc/scene/gltf_schema.h"
+#include "openltc/scene/gltf_uri.h"
+
+#include <nlohmann/json.hpp>
+
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace openltc::scene::gltf {
+
+namespace {
+
+using nlohmann::json;
+
+json parse_json(std::string_view text) {
+  try {
+    return json::parse(text.begin(), text.end());
+  } catch (const json::exception& e) {
+    // "[json.exception.parse_error.101] parse error at line 3, column 5: ..."
+    const std::string what = e.what();
+    const std::size_t bracket = what.find("] ");
+    std::string reason = bracket == std::string::npos ? what : what.substr(bracket + 2);
+    for (char& c : reason)
+      if (c == '\n' || c == '\r') c = ' ';
+    if (reason.size() > 200) reason = reason.substr(0, 197) + "...";
+    fail("JSON", reason + "; the file is damaged, export it again");
+  }
+}
+
+void check_version(const json& root) {
+  const auto& version = root["asset"]["version"].get_ref<const std::string&>();
+  if (version.rfind("2.", 0) != 0)
+    fail("asset.version",
+         fmt::format("\"{}\" is not supported; export as glTF 2.0", version.substr(0, 20)));
+}
+
+// A member that is an array, or an empty one.
+const json& array_of(const json& root, const char* name) {
+  static const json empty = json::array();
+  const auto found = root.find(name);
+  return found == root.end() ? empty : *found;
+}
+
+std::size_t count_of(const json& object, const char* name) {
+  return object.value(name, std::size_t(0));
+}
+
+const json* extension_of(const json& object, const char* name) {
+  const auto extensions = object.find("extensions");
+  if (extensions == object.end()) return nullptr;
+  const auto found = extensions->find(name);
+  return found == extensions->end() ? nullptr : &*found;
+}
+
+// Bytes of each buffer; empty for the placeholders of EXT_meshopt_compression.
+std::vector<std::span<const std::uint8_t>>
+load_buffers(const json& root, const Container& container, Document& document) {
+  std::vector<std::span<const std::uint8_t>> buffers;
+  for (const json& buffer : array_of(root, "buffers")) {
+    const std::size_t index = buffers.size();
+    const std::string field = fmt::format("buffers[{}]", index);
+    const std::size_t length = count_of(buffer, "byteLength");
+    std::span<const std::uint8_t> bytes;
+    if (buffer.contains("uri")) {
+      document.storage.push_back(
+          read_uri(buffer["uri"].get_ref<const std::string&>(), document.base_dir, field + ".uri"));
+      bytes = document.storage.back();
+    } else if (index == 0 && container.has_binary) {
+      bytes = container.binary;
+    } else if (extension_of(buffer, "EXT_meshopt_compression")) {
+      buffers.push_back({});
+      continue;
+    } else {
+      fail(field + ".uri", "is missing, and the file has no binary chunk; export the file again");
+    }
+    if (bytes.size() < length)
+      fail(field + ".byteLength",
+           fmt::format("{} bytes are announced but there are {}; the data is cut short, export or "
+                       "copy the file again",
+                       length, bytes.size()));
+    buffers.push_back(bytes.first(length));
+  }
+  return buffers;
+}
+
+std::span<const std::uint8_t> slice(std::span<const std::uint8_t> buffer, std::size_t offset,
+                                    std::size_t length, const std::string& field) {
+  if (offset > buffer.size() || length > buffer.size() - offset)
+    fail(field + ".byteLength",
+         fmt::format("bytes {} to {} are asked for but the buffer has {}; the file is damaged, "
+                     "export it again",
+                     offset, offset + length, buffer.size()));
+  return buffer.subspan(offset, length);
+}
+
+View decode_meshopt_view(const json& extension,
+                         std::span<const std::span<const std::uint8_t>> buffers,
+                         const std::string& field, Document& document) {
+  const auto source =
+      slice(buffers[count_of(extension, "buffer")], count_of(extension, "byteOffset"),
+            count_of(extension, "byteLength"), field);
+  MeshoptStream stream;
+  stream.bytes = source;
+  stream.count = count_of(extension, "count");
+  stream.stride = count_of(extension, "byteStride");
+  stream.mode = extension["mode"].get<std::string>();
+  stream.filter = extension.value("filter", std::string("NONE"));
+  document.storage.push_back(decode_meshopt(stream, field));
+  return {document.storage.back(), stream.stride};
+}
+
+void load_views(const json& root, std::span<const std::span<const std::uint8_t>> buffers,
+                Document& document) {
+  for (const json& view : array_of(root, "bufferViews")) {
+    const std::string field = fmt::format("bufferViews[{}]", document.views.size());
+    const std::size_t stride = count_of(view, "byteStride");
+    if (stride % 4 != 0 || stride > 252)
+      fail(field + ".byteStride",
+           fmt::format("{} is not a multiple of 4 up to 252; export the file again", stride));
+    const json* meshopt = extension_of(view, "EXT_meshopt_compression");
+    const std::size_t buffer = count_of(view, "buffer");
+    // Without the decoder use what the file carries uncompressed, if it does.
+    const bool has_fallback = !buffers[buffer].empty();
+    if (meshopt && (has_meshopt_decoder() || !has_fallback)) {
+      document.views.push_back(decode_meshopt_view(
+          *meshopt, buffers, field + ".extensions.EXT_meshopt_compression", document));
+    } else {
+      document.views.push_back({slice(buffers[buffer], count_of(view, "byteOffset"),
+                                      count_of(view, "byteLength"), field),
+                                stride});
+    }
+  }
+}
+
+void list_images(const json& root, Document& document) {
+  for (const json& image : array_of(root, "images"))
+    document.images.push_back(
+        {image.value("name", std::string()), image.value("uri", std::string()),
+         image.value("mimeType", std::string()), image.value("bufferView", -1)});
+}
+
+// Takes away what tinygltf must not see or need not read.
+void reduce_for_tinygltf(json& root) {
+  for (const char* name : {"buffers", "images", "animations", "skins", "extras"})
+    root.erase(name);
+  for (const char* name : {"scenes", "nodes", "meshes", "accessors", "bufferViews", "materials",
+                           "textures", "samplers", "cameras"}) {
+    if (!root.contains(name)) continue;
+    for (json& object : root[name]) {
+      for (const char* member : {"extras", "min", "max", "skin"})
+        object.erase(member);
+      if (!object.contains("primitives")) continue;
+      for (json& primitive : object["primitives"]) {
+        primitive.erase("extras");
+        if (extension_of(primitive, "KHR_draco_mesh_compression")) primitive.erase("indices");
+      }
+    }
+  }
+}
+
+void parse_with_tinygltf(const json& root, tinygltf::Model& model) {
+  const std::string text = root.dump();
+  if (text.size() > std::numeric_limits<unsigned int>::max())
+    fail("JSON", "larger than 4 GiB; split the file");
+  tinygltf::TinyGLTF parser;
+  std::string error, warning;
+  const bool ok = parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                             static_cast<unsigned int>(text.size()), "");
+  if (ok) return;
+  for (char& c : error)
+    if (c == '\n') c = ' ';
+  fail("JSON", error + "; export the file again");
+}
+
+} // namespace
+
+Document::Document() : model(std::make_unique<tinygltf::Model>()) {}
+Document::~Document() = default;
+
+void Document::warn(const std::string& message) {
+  if (std::find(warnings.begin(), warnings.end(), message) == warnings.end())
+    warnings.push_back(message);
+}
+
+void read_document(const Container& container, const std::string& base_dir, Document& document) {
+  json root = parse_json(container.json);
+  check_schema(root);
+  check_version(root);
+  document.base_dir = base_dir;
+  document.skin_count = array_of(root, "skins").size();
+  document.animation_count = array_of(root, "animations").size();
+
+  check_extensions(root.value("extensionsUsed", std::vector<std::string>()),
+                   root.value("extensionsRequired", std::vector<std::string>()), document);
+  const auto buffers = load_buffers(root, container, document);
+  load_views(root, buffers, document);
+  list_images(root, document);
+  reduce_for_tinygltf(root);
+  parse_with_tinygltf(root, *document.model);
+}
+
+} // namespace openltc::scene::gltf

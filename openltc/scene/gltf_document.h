@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// A glTF file in memory: its structure as tinygltf gives it, and the bytes behind it.
+
+#pragma once
+
+#include "openltc/scene/gltf_container.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tinygltf {
+class Model;
+}
+
+namespace openltc::scene::gltf {
+
+/// The bytes of a buffer view, uncompressed.
+struct View {
+  std::span<const std::uint8_t> bytes;
+  std::size_t stride = 0; ///< 0 = tightly packed
+};
+
+/// Where an image comes from: either a view or an URI.
+struct ImageSource {
+  std::string name;
+  std::string uri;
+  std::string mime_type;
+  int view = -1;
+};
+
+/// A checked document. All indices between its parts are in range; accessors are checked when they
+/// are read.
+struct Document {
+  Document();
+  ~Document();
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  std::unique_ptr<tinygltf::Model> model; ///< without buffers, images, skins and animations
+  std::string base_dir;
+  std::vector<View> views; ///< as many as model->bufferViews
+  std::vector<ImageSource> images;
+  std::size_t skin_count = 0;
+  std::size_t animation_count = 0;
+  std::vector<std::string> warnings;
+
+  /// Adds a warning unless it is there already.
+  void warn(const std::string& message);
+
+  std::vector<std::vector<std::uint8_t>> storage; ///< what the views point into
+};
+
+/// Parses, checks and loads everything but the pictures. `container` must outlive `document`.
+/// Throws Failure.
+void read_document(const Container& container, const std::string& base_dir, Document& document);
+
+} // namespace openltc::scene::gltf

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// Lights and cameras that nodes carry.
+
+#pragma once
+
+#include "openltc/scene/scene.h"
+#include "openltc/scene/transform.h"
+
+namespace openltc::scene::gltf {
+
+struct Document;
+
+/// extensions.KHR_lights_punctual.lights[index], placed by `to_world`.
+light::PunctualLight read_punctual_light(Document& document, int index, const Transform& to_world,
+                                         const std::string& node_name);
+
+/// extensions.EXT_lights_area.lights[index], placed by `to_world`. Throws Failure for a light
+/// without size.
+light::PolygonLight read_area_light(Document& document, int index, const Transform& to_world,
+                                    const std::string& node_name);
+
+/// cameras[index], placed by `to_world`. Throws Failure for values that give no picture.
+Camera read_camera(Document& document, int index, const Transform& to_world,
+                   const std::string& node_name);
+
+} // namespace openltc::scene::gltf

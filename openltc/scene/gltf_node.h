@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// The node hierarchy: places meshes, cameras and lights in the world.
+
+#pragma once
+
+#include "openltc/scene/scene.h"
+
+namespace openltc::scene::gltf {
+
+struct Document;
+
+/// Walks the file's default scene (else its first one, else all root nodes) and fills scene.meshes,
+/// scene.cameras and the lights that nodes carry. Throws Failure, also for cycles and for nodes
+/// with several parents.
+void read_nodes(Document& document, Scene& scene);
+
+} // namespace openltc::scene::gltf

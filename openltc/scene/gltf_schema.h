@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// The shape of a glTF file: which fields there are, of what type, pointing where.
+
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace openltc::scene::gltf {
+
+/// Checks every field that the importer reads: its type, its range, and that an index points at
+/// something. Throws Failure with the field's path, e.g. "meshes[0].primitives[1].material".
+///
+/// Whole numbers written as 3.0 become integers, as what reads `root` later expects.
+void check_schema(nlohmann::json& root);
+
+} // namespace openltc::scene::gltf

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// The outline of a set of triangles that lie in one plane.
+
+#pragma once
+
+#include "openltc/target/vec.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace openltc::scene {
+
+using Ring = std::vector<Vec3d>;
+
+/// Closed rings around `triangles`, which index `points`, lie in one plane and run
+/// counter-clockwise about the unit `normal`. Outer rings come first and run counter-clockwise,
+/// holes follow and run clockwise; no ring visits a vertex twice; corners within `tolerance`
+/// (metres) of a straight edge are left out.
+///
+/// The rings' signed areas sum up to that of the triangles. Where triangles overlap or do not fit
+/// together, so that no such outline exists, each triangle is its own ring; the sum, and with it
+/// every integral over the rings, is right in any case. Empty when there is no area.
+std::vector<Ring> trace_outline(std::span<const Vec3d> points,
+                                std::span<const std::array<std::uint32_t, 3>> triangles,
+                                Vec3d normal, double tolerance);
+
+/// Half the sum of cross products along `normal`: positive when counter-clockwise.
+double signed_area(const Ring& ring, Vec3d normal);
+
+} // namespace openltc::scene

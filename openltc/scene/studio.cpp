@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// Level of the lights. A reflected-light meter calibrated with K = 12.5 gives a correctly exposed
+// mean luminance L = 2^(EV100 - 3) (ISO 2720); mid grey reflects 18 % of the illuminance E as
+// L = 0.18 E / pi, hence E = pi 2^(EV100 - 3) / 0.18.
+//
+// A rectangle with half sides a, b that faces a point straight at distance d gives the irradiance
+// E = L * 2 [ a/sqrt(d2+a2) atan(b/sqrt(d2+a2)) + b/sqrt(d2+b2) atan(a/sqrt(d2+b2)) ]
+// (four times the corner configuration factor, e.g. J. R. Howell, Catalog of Radiation Heat
+// Transfer Configuration Factors, C-3; the factor pi is in it). Solved for L.
+
+#include "openltc/scene/studio.h"
+
+#include "openltc/light/shapes.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace openltc::scene {
+
+namespace {
+
+struct SoftBox {
+  const char* name;
+  double azimuth_rad;   // from the camera's side, to the right
+  double elevation_rad; // above the horizon
+  double distance;      // from the centre, in radii of the scene
+  double half_width;    // radii
+  double half_height;   // radii
+  double share;         // of the key's illuminance
+};
+
+constexpr double k_degree = std::numbers::pi / 180;
+
+constexpr SoftBox k_soft_boxes[3] = {
+    {"studio key", -45 * k_degree, 40 * k_degree, 2.6, 1.1, 1.1, 1.0},
+    {"studio fill", 60 * k_degree, 15 * k_degree, 3.0, 1.4, 1.4, 0.3},
+    {"studio rim", 160 * k_degree, 50 * k_degree, 2.6, 1.2, 0.5, 0.8},
+};
+
+double irradiance_per_radiance(double a, double b, double d) {
+  const double da = std::sqrt(d * d + a * a), db = std::sqrt(d * d + b * b);
+  return 2 * (a / da * std::atan(b / da) + b / db * std::atan(a / db));
+}
+
+Vec3f to_float(Vec3d v) {
+  return {float(v.x), float(v.y), float(v.z)};
+}
+
+} // namespace
+
+light::Lights studio_lights(const Bounds& bounds, const Camera& camera) {
+  const Vec3d lower(double(bounds.lower.x), double(bounds.lower.y), double(bounds.lower.z));
+  const Vec3d upper(double(bounds.upper.x), double(bounds.upper.y), double(bounds.upper.z));
+  const Vec3d center = (lower + upper) * 0.5;
+  double radius = 0.5 * length(upper - lower);
+  if (!(radius > 0)) radius = 0.5;
+
+  // Around the vertical, starting from the side where the camera stands.
+  Vec3d front(-double(camera.forward.x), 0, -double(camera.forward.z));
+  if (!(length(front) > 1e-3)) front = Vec3d(-double(camera.up.x), 0, -double(camera.up.z));
+  front = length(front) > 1e-3 ? normalize(front) : Vec3d(0, 0, 1);
+  const Vec3d up(0, 1, 0);
+  const Vec3d side = cross(up, front);
+
+  const double key_illuminance = std::numbers::pi * std::exp2(double(k_studio_ev100) - 3) / 0.18;
+  light::Lights lights;
+  for (const SoftBox& box : k_soft_boxes) {
+    const Vec3d towards = (front * std::cos(box.azimuth_rad) + side * std::sin(box.azimuth_rad)) *
+                              std::cos(box.elevation_rad) +
+                          up * std::sin(box.elevation_rad);
+    const double luminance_nits =
+        box.share * key_illuminance /
+        irradiance_per_radiance(box.half_width, box.half_height, box.distance);
+    // Facing the centre: right x up = -towards.
+    const Vec3d right = normalize(cross(towards, up));
+    const Vec3d box_up = cross(right, towards);
+    light::PolygonLight light = light::rectangle(
+        to_float(center + towards * (box.distance * radius)),
+        to_float(right * (box.half_width * radius)), to_float(box_up * (box.half_height * radius)),
+        Vec3f(float(luminance_nits)));
+    light.name = box.name;
+    lights.polygons.push_back(std::move(light));
+  }
+  return lights;
+}
+
+} // namespace openltc::scene

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// Tangents for normal maps of meshes that come without.
+
+#pragma once
+
+#include "openltc/scene/scene.h"
+
+namespace openltc::scene {
+
+/// Fills mesh.tangents from texture coordinate set `tex_coord` (0 or 1), which must not be empty,
+/// and the normals. Vertices that mirrored and unmirrored triangles share are doubled, so that the
+/// mesh may grow.
+void compute_tangents(Mesh& mesh, int tex_coord);
+
+} // namespace openltc::scene
