@@ -15,7 +15,12 @@ find_package(OpenEXR REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(draco REQUIRED)
-find_package(hwy REQUIRED)
+find_package(hwy QUIET)
+if(NOT TARGET hwy::hwy) # Ubuntu 22.04's package has no CMake file
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(hwy REQUIRED IMPORTED_TARGET GLOBAL libhwy)
+  add_library(hwy::hwy ALIAS PkgConfig::hwy)
+endif()
 find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
 
 # Embree 3 or 4; render/embree.h hides the difference.

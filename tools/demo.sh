@@ -11,11 +11,12 @@
 #   OUT=out                             folder of the results
 #   SCENE=scenes/demo.glb
 #   SIZE=1280x720                       the picture
-#   SAMPLES=16                          its camera samples per pixel
-#   SHADOW_SAMPLES=16                   per light and camera sample
-#   COMPARE_SIZE=640x360                both sides of each comparison
-#   REFERENCE_SAMPLES=256               with shadows
-#   UNSHADOWED_SAMPLES=1024             without
+#   SAMPLES=8                           its camera samples per pixel
+#   SHADOW_SAMPLES=4                    per light and camera sample
+#   COMPARE_SIZE=320x180                both sides of each comparison
+#   COMPARE_SAMPLES=64                  camera samples of its LTC side
+#   REFERENCE_SAMPLES=256               of its reference with shadows
+#   UNSHADOWED_SAMPLES=1024             and without
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -23,9 +24,10 @@ tool="${OPENLTC:-build/release/bin/openltc}"
 out="${OUT:-out}"
 scene="${SCENE:-scenes/demo.glb}"
 size="${SIZE:-1280x720}"
-samples="${SAMPLES:-16}"
-shadow_samples="${SHADOW_SAMPLES:-16}"
-compare_size="${COMPARE_SIZE:-640x360}"
+samples="${SAMPLES:-8}"
+shadow_samples="${SHADOW_SAMPLES:-4}"
+compare_size="${COMPARE_SIZE:-320x180}"
+compare_samples="${COMPARE_SAMPLES:-64}"
 reference_samples="${REFERENCE_SAMPLES:-256}"
 unshadowed_samples="${UNSHADOWED_SAMPLES:-1024}"
 
@@ -66,7 +68,7 @@ render -o "$out/demo.exr" -o "$out/demo.png" --size "$size" --samples "$samples"
 picture_seconds="$seconds"
 
 echo "demo: LTC against the reference with shadows, $compare_size" >&2
-render -o "$out/demo_small.exr" --size "$compare_size" --samples "$samples" \
+render -o "$out/demo_small.exr" --size "$compare_size" --samples "$compare_samples" \
   --shadow-samples "$shadow_samples"
 ltc_seconds="$seconds"
 render -o "$out/demo_reference.exr" -o "$out/demo_reference.png" --size "$compare_size" \
@@ -76,7 +78,7 @@ compare "with shadows" "$out/demo_small.exr" "$out/demo_reference.exr" "$ltc_sec
 
 echo "demo: the same without shadows, where the closed form has no noise" >&2
 render -o "$out/demo_unshadowed.exr" -o "$out/demo_unshadowed.png" --size "$compare_size" \
-  --samples "$samples" --shadow-samples 0
+  --samples "$compare_samples" --shadow-samples 0
 ltc_seconds="$seconds"
 render -o "$out/demo_unshadowed_reference.exr" -o "$out/demo_unshadowed_reference.png" \
   --size "$compare_size" --integrator reference --samples "$unshadowed_samples" --shadow-samples 0
