@@ -5,7 +5,7 @@
 
     tools/make_demo_scene.py [-o FILE]
 
-Two rows of spheres, gold behind and coloured dielectric in front, go from mirror (roughness 0, at
+Two rows of spheres, copper behind and coloured dielectric in front, go from mirror (roughness 0, at
 the left) to rough (1, at the right), on a parquet floor before a plain studio wall. Five lights:
 a rectangle, an L and a hexagonal ring as emissive meshes, one EXT_lights_area rectangle and one
 point light. Metres, +Y up, the camera looks along -Z. The same bytes on every run.
@@ -90,7 +90,7 @@ def add_spheres(file):
     attributes = {"attributes": {"POSITION": file.vectors(positions, "VEC3"),
                                  "NORMAL": file.vectors(normals, "VEC3")},
                   "indices": file.indices(triangles)}
-    gold = [1.0, 0.65, 0.27]
+    copper = [0.98, 0.56, 0.32]
     stops = [[0.01, 0.09, 0.32], [0.01, 0.30, 0.34], [0.05, 0.36, 0.12], [0.62, 0.42, 0.06],
              [0.66, 0.14, 0.04]]
 
@@ -99,7 +99,7 @@ def add_spheres(file):
         i = min(int(position), len(stops) - 2)
         return mix(stops[i], stops[i + 1], position - i)
 
-    return (add_sphere_row(file, attributes, "gold", lambda _: gold, 1, 0.42, 0.98, -0.55)
+    return (add_sphere_row(file, attributes, "copper", lambda _: copper, 1, 0.42, 0.98, -0.55)
             + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.26, 0.80, 1.15))
 
 
@@ -141,8 +141,8 @@ def add_lights(file):
         "extensions": {"KHR_lights_punctual": {"light": 0}}}))
     file.document["extensions"] = {
         "EXT_lights_area": {"lights": [{
-            "name": "soft box", "type": "rect", "color": [1.0, 0.90, 0.77], "intensity": 8000,
-            "size": 1.6, "rect": {"aspect": 1.75}}]},
+            "name": "soft box", "type": "rect", "color": [1.0, 0.90, 0.77], "intensity": 9000,
+            "size": 2.2, "rect": {"aspect": 1.6}}]},
         "KHR_lights_punctual": {"lights": [{
             "name": "bulb", "type": "point", "color": [1.0, 0.80, 0.56], "intensity": 3200}]}}
     return nodes

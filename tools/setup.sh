@@ -29,7 +29,7 @@ is_installed() { # package command
 }
 
 # True when apt knows a version that it could install.
-is_available() { apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'; }
+is_available() { [[ "$(apt-cache policy "$1" 2>/dev/null)" =~ Candidate:\ [^\(] ]]; }
 
 is_supported_system() {
   local file="${OPENLTC_OS_RELEASE:-/etc/os-release}" id version # another file: for the tests

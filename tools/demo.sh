@@ -1,0 +1,92 @@
+#!/bin/bash
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+#
+# Renders the demo scene by LTC and by reference, compares them, and says where the files are.
+#
+#   tools/demo.sh
+#
+# Environment, with defaults:
+#   OPENLTC=build/release/bin/openltc   the tool
+#   OUT=out                             folder of the results
+#   SCENE=scenes/demo.glb
+#   SIZE=1280x720                       the picture
+#   SAMPLES=16                          its camera samples per pixel
+#   SHADOW_SAMPLES=16                   per light and camera sample
+#   COMPARE_SIZE=640x360                both sides of each comparison
+#   REFERENCE_SAMPLES=256               with shadows
+#   UNSHADOWED_SAMPLES=1024             without
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+tool="${OPENLTC:-build/release/bin/openltc}"
+out="${OUT:-out}"
+scene="${SCENE:-scenes/demo.glb}"
+size="${SIZE:-1280x720}"
+samples="${SAMPLES:-16}"
+shadow_samples="${SHADOW_SAMPLES:-16}"
+compare_size="${COMPARE_SIZE:-640x360}"
+reference_samples="${REFERENCE_SAMPLES:-256}"
+unshadowed_samples="${UNSHADOWED_SAMPLES:-1024}"
+
+if [[ ! -x "$tool" ]]; then
+  echo "demo: $tool is not there; run 'make build'" >&2
+  exit 1
+fi
+mkdir -p "$out"
+
+# Runs a render, its progress on stderr, and keeps its wall time in `seconds`.
+render() {
+  local start end
+  start="$(date +%s%N)"
+  "$tool" render "$scene" "$@"
+  end="$(date +%s%N)"
+  seconds="$(awk -v ns="$((end - start))" 'BEGIN { printf "%.1f", ns / 1e9 }')"
+}
+
+# One number of a comparison's JSON, or a dash when it is not there.
+metric() { # json name
+  /usr/bin/python3 -c 'import json, sys
+value = json.loads(sys.argv[1]).get(sys.argv[2])
+print("%.4g" % value if isinstance(value, (int, float)) else "-")' "$1" "$2"
+}
+
+# Compares two pictures and prints a line of the summary.
+compare() { # label a b seconds_a seconds_b difference_picture
+  local json
+  json="$("$tool" compare "$2" "$3" --json --diff "$6")"
+  rows+=("$(printf '%-22s %10s %10s %10s %10s' "$1" "$(metric "$json" mean_relative_error)" \
+    "$(metric "$json" flip)" "$4 s" "$5 s")")
+}
+
+rows=()
+echo "demo: the picture, $size" >&2
+render -o "$out/demo.exr" -o "$out/demo.png" --size "$size" --samples "$samples" \
+  --shadow-samples "$shadow_samples"
+picture_seconds="$seconds"
+
+echo "demo: LTC against the reference with shadows, $compare_size" >&2
+render -o "$out/demo_small.exr" --size "$compare_size" --samples "$samples" \
+  --shadow-samples "$shadow_samples"
+ltc_seconds="$seconds"
+render -o "$out/demo_reference.exr" -o "$out/demo_reference.png" --size "$compare_size" \
+  --integrator reference --samples "$reference_samples"
+compare "with shadows" "$out/demo_small.exr" "$out/demo_reference.exr" "$ltc_seconds" "$seconds" \
+  "$out/demo_difference.png"
+
+echo "demo: the same without shadows, where the closed form has no noise" >&2
+render -o "$out/demo_unshadowed.exr" -o "$out/demo_unshadowed.png" --size "$compare_size" \
+  --samples "$samples" --shadow-samples 0
+ltc_seconds="$seconds"
+render -o "$out/demo_unshadowed_reference.exr" -o "$out/demo_unshadowed_reference.png" \
+  --size "$compare_size" --integrator reference --samples "$unshadowed_samples" --shadow-samples 0
+compare "without shadows" "$out/demo_unshadowed.exr" "$out/demo_unshadowed_reference.exr" \
+  "$ltc_seconds" "$seconds" "$out/demo_unshadowed_difference.png"
+
+echo
+printf '%-22s %10s %10s %10s %10s\n' "$compare_size" "rel. error" "FLIP" "LTC" "reference"
+printf '%s\n' "${rows[@]}"
+echo
+echo "the picture, $size in $picture_seconds s:   $out/demo.png  $out/demo.exr"
+echo "ground truth:       $out/demo_reference.png  $out/demo_unshadowed_reference.png"
+echo "differences:        $out/demo_difference.png  $out/demo_unshadowed_difference.png"
