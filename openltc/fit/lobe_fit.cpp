@@ -78,8 +78,9 @@ struct Evaluation {
 template <bool with_derivatives>
 Evaluation evaluate(const Quadrature& q, Vec4d abcd, double l2_scale, double rounding) {
   Evaluation e;
-  // A lobe needs A > 0 and D > 0 (it points to the mirror direction) and a positive determinant.
-  if (!(abcd.x > 0 && abcd.w > 0 && determinant(abcd, q.alpha) > 0)) return e;
+  // The cosine's hemisphere must not be turned inside out. A and D by themselves may reach 0: at
+  // grazing angles -B C carries the determinant.
+  if (!(determinant(abcd, q.alpha) > 0)) return e;
 
   double sum = 0;
   double h[10] = {}, g[4] = {};
