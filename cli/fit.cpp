@@ -4,7 +4,6 @@
 // openltc fit: from a BRDF to a lobe table and the report of its error.
 
 #include "cli/commands.h"
-
 #include "openltc/base/atomic_file.h"
 #include "openltc/brdf/brdf.h"
 #include "openltc/fit/error.h"
@@ -51,10 +50,9 @@ std::string error_row(const char* label, const fit::LobeError& e) {
 }
 
 std::string error_text(const Region& region, const fit::TableError& e) {
-  std::string text =
-      fmt::format("{}, theta to {} degrees, {} x {} points between the nodes\n"
-                  "        TV     L1     L2     L3     peak   leak   n1      n5\n",
-                  region.name, e.theta_to_degrees, e.points, e.points);
+  std::string text = fmt::format("{}, theta to {} degrees, {} x {} points between the nodes\n"
+                                 "        TV     L1     L2     L3     peak   leak   n1      n5\n",
+                                 region.name, e.theta_to_degrees, e.points, e.points);
   return text + error_row("mean", e.mean) + error_row("p95", e.p95) + error_row("max", e.max);
 }
 
@@ -156,16 +154,18 @@ void add_fit(CLI::App& app, int& exit_code) {
              "  openltc fit --size 32 -o ggx32.json      a smaller table\n"
              "  openltc fit -o ggx.json --report ggx-errors.json");
   std::vector<std::string> known;
-  for (const brdf::Brdf& b : brdf::all_brdfs()) known.push_back(b.name);
+  for (const brdf::Brdf& b : brdf::all_brdfs())
+    known.push_back(b.name);
   command->add_option("--brdf", arguments->brdf, "BRDF to fit")
       ->check(CLI::IsMember(known))
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Nodes per axis")
       ->check(CLI::Range(2, 512))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->outputs,
-                      "File to write: .json (lossless, with metadata), or .cpp/.inc (the C++ source "
-                      "of the built-in table). May be repeated")
+  command
+      ->add_option("-o,--output", arguments->outputs,
+                   "File to write: .json (lossless, with metadata), or .cpp/.inc (the C++ source "
+                   "of the built-in table). May be repeated")
       ->allow_extra_args(false);
   command->add_option("--report", arguments->report, "Write the errors as JSON to this file");
   command->add_flag("--quiet", arguments->quiet, "No progress and messages on stderr");

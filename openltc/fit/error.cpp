@@ -17,9 +17,9 @@ namespace openltc::fit {
 
 namespace {
 
-constexpr std::array k_fields = {&LobeError::tv,   &LobeError::l1,   &LobeError::l2,
-                                 &LobeError::l3,   &LobeError::peak, &LobeError::leak,
-                                 &LobeError::n1,   &LobeError::n5};
+constexpr std::array k_fields = {&LobeError::tv, &LobeError::l1,   &LobeError::l2,
+                                 &LobeError::l3, &LobeError::peak, &LobeError::leak,
+                                 &LobeError::n1, &LobeError::n5};
 
 double mean_second_difference(const table::LobeTable& table) {
   double sum = 0;
@@ -79,9 +79,8 @@ TableError measure_table(const brdf::Brdf& brdf, const table::LobeTable& table,
   tbb::parallel_for(tbb::blocked_range<int>(0, n), [&](const tbb::blocked_range<int>& rows) {
     for (int j = rows.begin(); j != rows.end(); ++j) {
       for (int i = 0; i < n; ++i) {
-        const double roughness =
-            options.roughness_from +
-            (options.roughness_to - options.roughness_from) * (i + 0.5) / n;
+        const double roughness = options.roughness_from +
+                                 (options.roughness_to - options.roughness_from) * (i + 0.5) / n;
         const double theta = options.theta_to_degrees * (j + 0.5) / n * f64::k_pi / 180;
         const double cos_theta = std::cos(theta);
         const Quadrature rule = make_quadrature(brdf, roughness, cos_theta, options.grid);

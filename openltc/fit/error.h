@@ -31,7 +31,7 @@ LobeError measure_lobe(const Quadrature& quadrature, const f64::Lobe& lobe);
 struct TableError {
   LobeError mean, p95, max;
   double roughness_from = 0, roughness_to = 1, theta_to_degrees = 90;
-  int points = 0;             ///< per axis
+  int points = 0;               ///< per axis
   double second_difference = 0; ///< mean |second difference| of A B C D over the whole table
 };
 

@@ -20,9 +20,9 @@
 // at the current r, so each step solves those; a step that does not lower F is taken back and
 // damped more.
 //
-// The leak is exact: below the horizon rho = 0, and the integral of D there is, in cosine space, the
-// cosine's integral over a half-space with normal m = M^T z ~ (-m20, 0, m00), (1 - cos g)/2 with
-// cos g = m_z/|m|; that is sin^2(g/2), a square by itself.
+// The leak is exact: below the horizon rho = 0, and the integral of D there is, in cosine space,
+// the cosine's integral over a half-space with normal m = M^T z ~ (-m20, 0, m00), (1 - cos g)/2
+// with cos g = m_z/|m|; that is sin^2(g/2), a square by itself.
 
 #include "openltc/fit/lobe_fit.h"
 
@@ -78,14 +78,14 @@ struct Evaluation {
 template <bool with_derivatives>
 Evaluation evaluate(const Quadrature& q, Vec4d abcd, double l2_scale, double rounding) {
   Evaluation e;
-  // A lobe needs A > 0 and D > 0 (it points to the mirror direction) and a positive determinant.
-  if (!(abcd.x > 0 && abcd.w > 0 && determinant(abcd, q.alpha) > 0)) return e;
+  // The cosine's hemisphere must not be turned inside out. A and D by themselves may reach 0: at
+  // grazing angles -B C carries the determinant.
+  if (!(determinant(abcd, q.alpha) > 0)) return e;
 
   double sum = 0;
   double h[10] = {}, g[4] = {};
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const LobeDensity d =
-        lobe_density(abcd, q.alpha, Vec3d(q.x_mirror[i], q.y[i], q.z_mirror[i]));
+    const LobeDensity d = lobe_density(abcd, q.alpha, Vec3d(q.x_mirror[i], q.y[i], q.z_mirror[i]));
     const double r = d.value - q.density[i];
     const double soft = rounding * q.scale[i];
     const double root = std::sqrt(r * r + soft * soft);
@@ -96,7 +96,8 @@ Evaluation evaluate(const Quadrature& q, Vec4d abcd, double l2_scale, double rou
       for (int a = 0; a < 4; ++a) {
         const double wa = omega * d.derivative[a];
         g[a] += wa * r;
-        for (int b = a; b < 4; ++b) h[k++] += wa * d.derivative[b];
+        for (int b = a; b < 4; ++b)
+          h[k++] += wa * d.derivative[b];
       }
     }
   }
@@ -159,7 +160,8 @@ LobeFit fit_lobe(const Quadrature& q, Vec4d start, const LobeFitOptions& options
   if (symmetric) fit.mirror = Vec4d(1, 0, 0, start.w);
 
   double norm2 = 0;
-  for (std::size_t i = 0; i < q.size(); ++i) norm2 += q.weight[i] * q.density[i] * q.density[i];
+  for (std::size_t i = 0; i < q.size(); ++i)
+    norm2 += q.weight[i] * q.density[i] * q.density[i];
   const double l2_scale = options.l2_weight / norm2;
 
   double damping = 1e-3;
@@ -169,7 +171,8 @@ LobeFit fit_lobe(const Quadrature& q, Vec4d start, const LobeFitOptions& options
     bool accepted = false;
     while (!accepted && damping < 1e12) {
       Matrix4 system = at.hessian;
-      for (int k = 0; k < 4; ++k) system(k, k) += damping * at.hessian(k, k) + 1e-300;
+      for (int k = 0; k < 4; ++k)
+        system(k, k) += damping * at.hessian(k, k) + 1e-300;
       Vector4 step;
       if (symmetric) {
         step = Vector4(0, 0, 0, -at.gradient[3] / system(3, 3));

@@ -14,12 +14,12 @@ namespace openltc::fit {
 struct LobeFitOptions {
   /// Weight of the squared L2 distance, relative to that of the BRDF's lobe, beside the total
   /// variation. 0 is pure total variation.
-  double l2_weight = 1.0;
+  double l2_weight = 0.3;
   /// Width of the rounding of |x| at 0, relative to the local density of the quadrature.
-  double rounding = 0.02;
+  double rounding = 0.05;
   int max_iterations = 200;
   /// Stops when no coefficient moves by more than this.
-  double tolerance = 1e-9;
+  double tolerance = 1e-7;
 };
 
 /// Result of a fit.

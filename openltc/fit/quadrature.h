@@ -16,10 +16,10 @@ namespace openltc::fit {
 /// The BRDF is symmetric about the plane of incidence: all directions have y > 0 and weights count
 /// both halves, so the sum of weight[i] f(i) approximates the integral of f over the hemisphere.
 struct Quadrature {
-  double cos_theta = 1; ///< of the view direction
-  double alpha = 1;     ///< microfacet width, >= k_min_alpha
-  double n1 = 0;        ///< integral of D V cos_i, by this rule
-  double n5 = 0;        ///< integral of D V cos_i (1 - wo.h)^5
+  double cos_theta = 1;         ///< of the view direction
+  double alpha = 1;             ///< microfacet width, >= k_min_alpha
+  double n1 = 0;                ///< integral of D V cos_i, by this rule
+  double n5 = 0;                ///< integral of D V cos_i (1 - wo.h)^5
   std::vector<double> x_mirror; ///< the direction in the mirror frame (shade/lobe.glsl)
   std::vector<double> y;
   std::vector<double> z_mirror;

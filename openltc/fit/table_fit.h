@@ -17,25 +17,30 @@ namespace openltc::fit {
 
 /// How a table is fitted.
 struct TableFitOptions {
-  int size = 64;            ///< nodes per axis, 2..512
-  int grid = 32;            ///< quadrature of the fit: 2 grid^2 points per node, even
-  int amplitude_grid = 128; ///< quadrature of n1 and n5
+  int size = 64;           ///< nodes per axis, 2..512
+  int grid = 28;           ///< quadrature of the fit: 2 grid^2 points per node, even
+  int amplitude_grid = 64; ///< quadrature of n1 and n5
   LobeFitOptions lobe;
 };
 
-/// Cosine at which the nodes of the grazing row, cos theta = 0, are fitted. There the BRDF has no
-/// lobe; its limit would be read between cos = 0 and the row before it. See table_fit.cpp.
-double grazing_cosine(int size);
+/// Where the nodes of the grazing row, cos theta = 0, are fitted. At the limit itself the BRDF has
+/// no lobe, and what is stored serves to be read between cos = 0 and the row before it; these
+/// cosines were chosen for the least mean error there. See table_fit.cpp.
+struct GrazingRow {
+  double lobe_cosine;
+  double amplitude_cosine;
+};
+GrazingRow grazing_row(int size);
 
-/// Fits a table. `progress` (may be empty) is called with the share done, 0..1, from any thread, one
-/// call at a time. The result does not depend on the number of threads; every coefficient is rounded
-/// to six decimal digits, so that it hardly depends on the last bits of a maths library either.
-/// describe_table completes the metadata.
+/// Fits a table. `progress` (may be empty) is called with the share done, 0..1, from any thread,
+/// one call at a time. The result does not depend on the number of threads; every coefficient is
+/// rounded to six decimal digits, so that it hardly depends on the last bits of a maths library
+/// either. describe_table completes the metadata.
 Result<table::LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& options,
                                    const std::function<void(double)>& progress = {});
 
-/// Fills in what the table says about itself: the errors of the first region rounded to four digits,
-/// the version of the tool, and the command that makes the same table again.
+/// Fills in what the table says about itself: the errors of the first region rounded to four
+/// digits, the version of the tool, and the command that makes the same table again.
 void describe_table(table::LobeTable& table, const TableError& error, const char* tool_version);
 
 } // namespace openltc::fit

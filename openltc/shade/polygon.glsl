@@ -89,8 +89,10 @@ FN Real clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
                 select(cosine_enters, cosine_t, Real(0.0)));
   Real t1 = min(select(surface_leaves, surface_t, Real(1.0)),
                 select(cosine_leaves, cosine_t, Real(1.0)));
+  // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
+  // length left but still opens or closes the outline there.
   Mask outside = (a_z < Real(0.0) && b_z < Real(0.0)) ||
-                 (a_o.z < Real(0.0) && b_o.z < Real(0.0)) || t0 >= t1;
+                 (a_o.z < Real(0.0) && b_o.z < Real(0.0)) || t0 > t1;
 
   Vec3 p0 = a_o + d * t0;
   Vec3 p1 = a_o + d * t1;

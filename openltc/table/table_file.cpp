@@ -7,13 +7,12 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 namespace openltc::table {
 
@@ -37,7 +36,9 @@ std::string number_rows(const LobeTable& table) {
   return rows;
 }
 
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump();
+}
 
 std::string text_of(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
@@ -78,11 +79,10 @@ std::string to_json(const LobeTable& table) {
 
 Result<LobeTable> from_json(const std::string& text, const std::string& name) {
   const nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
-  if (root.is_discarded())
-    return Error{name + ": not a complete JSON file; was it cut off?"};
+  if (root.is_discarded()) return Error{name + ": not a complete JSON file; was it cut off?"};
   if (!root.is_object() || text_of(root, "format") != k_format)
-    return Error{fmt::format("{}: format is not \"{}\"; openltc fit writes such tables", name,
-                             k_format)};
+    return Error{
+        fmt::format("{}: format is not \"{}\"; openltc fit writes such tables", name, k_format)};
   if (number_of(root, "version") != k_version)
     return Error{fmt::format("{}: version is not {}, the one this build reads", name, k_version)};
 
@@ -90,8 +90,7 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
   if (!(size >= 2 && size <= k_max_size && size == std::floor(size)))
     return Error{fmt::format("{}: size must be a whole number from 2 to {}", name, k_max_size)};
   const auto texels = root.find("texels");
-  if (texels == root.end() || !texels->is_array())
-    return Error{name + ": texels is missing"};
+  if (texels == root.end() || !texels->is_array()) return Error{name + ": texels is missing"};
   LobeTable table;
   table.size = int(size);
   const std::size_t count = std::size_t(table.size) * table.size;

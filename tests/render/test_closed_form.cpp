@@ -48,7 +48,7 @@ double quadrature(const Rectangle& r, double px, double pz) {
 
 TEST_CASE("Lambertian floor under polygon lights equals quadrature to 1e-4 at every pixel") {
   scene::Scene scene;
-  add_floor(scene, 10, 0, test::diffuse_material({0.5f, 0.25f, 0.75f}));
+  test::add_floor(scene, 10, 0, test::diffuse_material({0.5f, 0.25f, 0.75f}));
   const std::vector<Rectangle> rectangles = {
       {-0.5, -0.5, 0.5, 0.5, 1.0}, {1.0, -2.0, 1.3, 1.0, 0.4}, {-3.0, -3.0, -1.0, 2.0, 2.5}};
   for (const Rectangle& r : rectangles)
@@ -98,7 +98,7 @@ TEST_CASE("Lambertian floor under polygon lights equals quadrature to 1e-4 at ev
 TEST_CASE("a light shines to its front only, unless it has two sides") {
   for (const bool two_sided : {false, true}) {
     scene::Scene scene;
-    add_floor(scene, 10, 0, test::glossy_material({0.5f, 0.5f, 0.5f}, 0.3f, false));
+    test::add_floor(scene, 10, 0, test::glossy_material({0.5f, 0.5f, 0.5f}, 0.3f, false));
     light::PolygonLight light = test::ceiling_rectangle(-1, -1, 1, 1, 2, 100);
     std::reverse(light.vertices.begin(), light.vertices.end());
     light.normal = {0, 1, 0};

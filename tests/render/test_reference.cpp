@@ -44,9 +44,9 @@ double mean_absolute_difference(const image::Image& a, const image::Image& b) {
 
 scene::Scene spheres(bool with_metal) {
   scene::Scene scene;
-  add_floor(scene, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.5f, false));
-  add_sphere(scene, {-1.2f, 0.7f, 0}, 0.7f, test::glossy_material({0.8f, 0.3f, 0.2f}, 0.2f, false));
-  add_sphere(scene, {1.2f, 0.7f, 0}, 0.7f,
+  test::add_floor(scene, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.5f, false));
+  test::add_sphere(scene, {-1.2f, 0.7f, 0}, 0.7f, test::glossy_material({0.8f, 0.3f, 0.2f}, 0.2f, false));
+  test::add_sphere(scene, {1.2f, 0.7f, 0}, 0.7f,
              test::glossy_material({0.9f, 0.8f, 0.5f}, 0.35f, with_metal));
   scene.lights.polygons.push_back(test::ceiling_rectangle(-1, -1, 1, 1, 4, 50));
   scene.lights.polygons.push_back(test::ceiling_light(
@@ -58,8 +58,8 @@ scene::Scene spheres(bool with_metal) {
 
 TEST_CASE("reference equals the closed form on a Lambertian scene") {
   scene::Scene scene;
-  add_floor(scene, 20, 0, test::diffuse_material({0.5f, 0.5f, 0.5f}));
-  add_sphere(scene, {0, 0.8f, 0}, 0.8f, test::diffuse_material({0.7f, 0.4f, 0.3f}));
+  test::add_floor(scene, 20, 0, test::diffuse_material({0.5f, 0.5f, 0.5f}));
+  test::add_sphere(scene, {0, 0.8f, 0}, 0.8f, test::diffuse_material({0.7f, 0.4f, 0.3f}));
   scene.lights.polygons.push_back(test::ceiling_rectangle(-2, -1, 1, 2, 3, 10));
   const render::Picture ltc = rendered(scene, render::Integrator::ltc, 64, 0);
   const render::Picture reference = rendered(scene, render::Integrator::reference, 1024, 0);
@@ -156,7 +156,7 @@ TEST_CASE("point, spot and directional lights: illuminance on a floor") {
   near.range = 1.9f;
   for (const Case& c : {Case{point, 25}, Case{spot, 25}, Case{away, 0}, Case{sun, 30}, Case{near, 0}}) {
     scene::Scene scene;
-    add_floor(scene, 5, 0, test::diffuse_material({0.5f, 0.5f, 0.5f}));
+    test::add_floor(scene, 5, 0, test::diffuse_material({0.5f, 0.5f, 0.5f}));
     scene.lights.punctual.push_back(c.light);
     render::RenderOptions options;
     options.width = options.height = 9;
@@ -171,7 +171,7 @@ TEST_CASE("point, spot and directional lights: illuminance on a floor") {
 
 TEST_CASE("a point light by its LTC density is close to the exact BRDF, not equal") {
   scene::Scene scene;
-  add_floor(scene, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.5f, false));
+  test::add_floor(scene, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.5f, false));
   light::PunctualLight point;
   point.position = {0, 2, -1};
   point.intensity = Vec3f(100);
@@ -189,7 +189,7 @@ TEST_CASE("a small polygon light is a point light of intensity L A") {
   const float side = 0.02f, nits = 1000, height = 2;
   scene::Scene area, point;
   for (scene::Scene* s : {&area, &point})
-    add_floor(*s, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.6f, false));
+    test::add_floor(*s, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.6f, false));
   area.lights.polygons.push_back(
       test::ceiling_rectangle(-side / 2, -side / 2, side / 2, side / 2, height, nits));
   // Lambertian: intensity falls with the cosine at the light, which a spot of wide cone lacks; so

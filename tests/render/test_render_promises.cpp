@@ -20,9 +20,9 @@ const scene::Camera k_camera = test::look_at({0, 2.5f, 5}, {0, 0.7f, 0}, 0.7f);
 
 scene::Scene busy_scene() {
   scene::Scene scene;
-  add_floor(scene, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.5f, false));
-  add_sphere(scene, {-0.8f, 0.7f, 0}, 0.7f, test::glossy_material({0.8f, 0.3f, 0.2f}, 0.05f, false));
-  add_sphere(scene, {0.8f, 0.7f, 0}, 0.7f, test::glossy_material({0.9f, 0.8f, 0.5f}, 0.0f, true));
+  test::add_floor(scene, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.5f, false));
+  test::add_sphere(scene, {-0.8f, 0.7f, 0}, 0.7f, test::glossy_material({0.8f, 0.3f, 0.2f}, 0.05f, false));
+  test::add_sphere(scene, {0.8f, 0.7f, 0}, 0.7f, test::glossy_material({0.9f, 0.8f, 0.5f}, 0.0f, true));
   scene.lights.polygons.push_back(test::ceiling_rectangle(-1, -1, 1, 1, 4, 50));
   light::PunctualLight point;
   point.position = {2, 3, 2};
@@ -112,17 +112,17 @@ TEST_CASE("nothing but finite, non-negative radiance, even of a mirror and at gr
 TEST_CASE("alpha: masked surfaces let light through, blended ones a part of it") {
   const auto floor_radiance = [](scene::AlphaMode mode, float alpha) {
     scene::Scene scene;
-    add_floor(scene, 10, 0, test::diffuse_material({0.5f, 0.5f, 0.5f}));
+    test::add_floor(scene, 10, 0, test::diffuse_material({0.5f, 0.5f, 0.5f}));
     scene::Material pane = test::diffuse_material({0, 0, 0});
     pane.alpha_mode = mode;
     pane.base_color.w = alpha;
-    add_floor(scene, 1, 1, pane);
+    test::add_floor(scene, 1, 1, pane);
     scene.lights.polygons.push_back(test::ceiling_rectangle(-0.1f, -0.1f, 0.1f, 0.1f, 3, 1000));
     render::RenderOptions options;
     options.width = options.height = 8;
     options.samples = 1;
     // Looks below the pane, at the floor in its shadow.
-    auto picture = render::render(scene, test::look_at({0, 0.5f, 4}, {0, 0, 0}, 0.02f),
+    auto picture = render::render(scene, test::look_at({0.1f, 0.5f, 4.3f}, {0.1f, 0, 0.3f}, 0.02f),
                                   table::builtin_ggx_table(), options);
     REQUIRE(picture.ok());
     return double(picture->radiance.pixel(4, 4)[0]);
@@ -140,12 +140,12 @@ TEST_CASE("alpha: the camera sees through blended surfaces") {
   scene::Scene scene;
   scene::Material glow = test::diffuse_material({0, 0, 0});
   glow.emission = Vec3f(10);
-  add_floor(scene, 10, 0, glow);
+  test::add_floor(scene, 10, 0, glow);
   scene::Material pane = test::diffuse_material({0, 0, 0});
   pane.alpha_mode = scene::AlphaMode::blend;
   pane.base_color.w = 0.3f;
-  add_floor(scene, 10, 1, pane);
-  add_floor(scene, 10, 2, pane);
+  test::add_floor(scene, 10, 1, pane);
+  test::add_floor(scene, 10, 2, pane);
   render::RenderOptions options;
   options.width = options.height = 4;
   options.samples = 2;

@@ -1,0 +1,371 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// openltc compare A B: how far picture A is from its reference B.
+
+#include "cli/commands.h"
+#include "openltc/image/difference.h"
+#include "openltc/image/file.h"
+#include "openltc/image/flip.h"
+#include "openltc/image/metrics.h"
+#include "openltc/image/tonemap.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace openltc::cli {
+
+namespace {
+
+using image::Image;
+
+constexpr const char* k_footer =
+    R"(B is the reference: relative errors are divided by its values, PSNR uses its peak.
+Pictures: .exr and .hdr hold scene-linear radiance; .png and .jpg are decoded from sRGB to linear
+light first. Alpha is ignored. A pixel with NaN or infinity in A or B is counted and left out.
+
+What the numbers mean
+  mean relative   mean of |A-B| / (|B| + eps): "off by so many percent"
+  relative MSE    mean of (A-B)^2 / (B^2 + eps^2)
+                  eps is 1 % of the mean of |B|, so no number depends on the unit of radiance
+  RMSE, MAE       root of the mean square, mean absolute difference, in the picture's unit
+  PSNR            10 log10(peak^2 / MSE) in dB, peak = the largest value of B
+  FLIP            what an eye sees when flipping between the two: 0 equal, 1 as different as can be
+                  (LDR-FLIP for .png and .jpg; HDR-FLIP over all exposures for .exr and .hdr, or
+                  LDR-FLIP of the displayed pictures if --exposure is given)
+
+Examples
+  openltc compare ltc.exr reference.exr
+  openltc compare ltc.exr reference.exr --diff difference.png
+  openltc compare a.png b.png --metric flip --diff flip.png --json
+
+Exit code 0: compared (whatever the difference); 1: a file cannot be read or written, or the sizes
+differ; 2: wrong usage.)";
+
+struct Options {
+  std::string a, b, diff, mask;
+  std::string metric = "relative";
+  std::string exposure;
+  float pixels_per_degree = image::FlipOptions{}.pixels_per_degree;
+  float scale = 0.0f;
+  bool json = false;
+};
+
+std::optional<float> parse_number(const std::string& text) {
+  float value = 0.0f;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = result.ec == std::errc() && result.ptr == text.data() + text.size();
+  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string check_exposure(const std::string& text) {
+  const auto value = parse_number(text);
+  if (text == "auto" || (value && std::fabs(*value) <= 60.0f)) return "";
+  return "must be 'auto' or an EV100 from -60 to 60, not '" + text + "'";
+}
+
+std::string check_positive(const std::string& text) {
+  const auto value = parse_number(text);
+  return value && *value > 0.0f ? "" : "must be a positive number, not '" + text + "'";
+}
+
+std::string check_png(const std::string& text) {
+  std::string end = text.size() >= 4 ? text.substr(text.size() - 4) : "";
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return end == ".png" ? "" : "the difference picture must be named .png, not '" + text + "'";
+}
+
+Status check_same_size(const std::string& name_a, const Image& a, const std::string& name_b,
+                       const Image& b) {
+  if (a.width == b.width && a.height == b.height) return Success{};
+  return Error{fmt::format("{} has {}x{} pixels but {} has {}x{}; only pictures of the same size "
+                           "can be compared",
+                           name_a, a.width, a.height, name_b, b.width, b.height)};
+}
+
+// A pixel counts where any channel of the mask is above 0.
+std::vector<std::uint8_t> mask_from(const Image& picture) {
+  std::vector<std::uint8_t> mask(picture.pixel_count());
+  std::size_t i = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x, ++i) {
+      const Vec3f v = picture.rgb(x, y);
+      mask[i] = v.x > 0.0f || v.y > 0.0f || v.z > 0.0f;
+    }
+  return mask;
+}
+
+struct Flip {
+  Image map;
+  std::string kind; // for the user
+  nlohmann::ordered_json details;
+  double mean = 0.0, max = 0.0;
+  image::PixelPlace max_at;
+};
+
+Flip compute_flip(const Options& options, const Image& a, const Image& b,
+                  const std::vector<std::uint8_t>& mask) {
+  const image::FlipOptions flip_options{options.pixels_per_degree};
+  const bool hdr =
+      image::is_scene_linear_extension(options.a) && image::is_scene_linear_extension(options.b);
+  Flip flip;
+  flip.details["pixels_per_degree"] = options.pixels_per_degree;
+  if (hdr && options.exposure.empty()) {
+    image::HdrFlip result = image::flip_hdr(a, b, flip_options);
+    flip.map = std::move(result.map);
+    flip.kind = fmt::format("HDR-FLIP, {} exposures from {:+.2f} to {:+.2f} stops",
+                            result.exposure_count, result.start_exposure, result.stop_exposure);
+    flip.details["kind"] = "hdr";
+    flip.details["exposures"] = result.exposure_count;
+    flip.details["start_exposure_stops"] = result.start_exposure;
+    flip.details["stop_exposure_stops"] = result.stop_exposure;
+  } else {
+    // Pictures that were displayed already are only encoded again.
+    float exposure = 1.0f;
+    image::Tonemap tonemap = image::Tonemap::none;
+    flip.kind = "LDR-FLIP";
+    flip.details["kind"] = "ldr";
+    if (hdr) {
+      exposure = options.exposure == "auto"
+                     ? image::auto_exposure(b)
+                     : image::exposure_from_ev100(*parse_number(options.exposure));
+      tonemap = image::Tonemap::neutral;
+      const float ev100 = image::ev100_from_exposure(exposure);
+      flip.kind += fmt::format(" at EV100 {:.2f}, tone map neutral", ev100);
+      flip.details["ev100"] = ev100;
+      flip.details["tonemap"] = "neutral";
+    }
+    // Infinite values would become white; FLIP leaves pixels out that are NaN.
+    const auto display = [&](const Image& image) {
+      Image out = image::to_display(image, exposure, tonemap);
+      for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+          const Vec3f v = image.rgb(x, y);
+          if (!std::isfinite(v.x + v.y + v.z)) std::fill_n(out.pixel(x, y), 3, NAN);
+        }
+      return out;
+    };
+    flip.map = image::flip_ldr(display(a), display(b), flip_options);
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < flip.map.data.size(); ++i) {
+    if (!mask.empty() && mask[i] == 0) continue;
+    const double value = double(flip.map.data[i]);
+    ++count;
+    flip.mean += value;
+    if (value > flip.max || flip.max_at.x < 0) {
+      flip.max = value;
+      flip.max_at = {int(i % std::size_t(a.width)), int(i / std::size_t(a.width))};
+    }
+  }
+  if (count > 0) flip.mean /= double(count);
+  return flip;
+}
+
+Image make_difference_picture(const Options& options, const Image& a, const Image& b,
+                              const image::Metrics& metrics, const Flip& flip,
+                              const std::vector<std::uint8_t>& mask) {
+  image::DifferencePictureOptions picture;
+  picture.mask = mask;
+  picture.scale_max = options.scale;
+  const auto file_name = [](const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+  };
+  const std::string names =
+      fmt::format("{} against {}", file_name(options.a), file_name(options.b));
+  if (options.metric == "flip") {
+    if (picture.scale_max <= 0.0f) picture.scale_max = 1.0f;
+    picture.title = flip.kind;
+    picture.caption = fmt::format("{}: mean {:.4f}", names, flip.mean);
+    return image::difference_picture(flip.map, picture);
+  }
+  if (options.metric == "absolute") {
+    picture.title = "absolute difference |A-B|";
+    picture.caption = fmt::format("{}: mean {:.4g}", names, metrics.mae);
+    return image::difference_picture(
+        image::difference_map(a, b, image::DifferenceKind::absolute, metrics.eps), picture);
+  }
+  picture.percent = true;
+  picture.is_signed = options.metric == "signed";
+  picture.caption = fmt::format("{}: mean {:.3g} %", names, 100.0 * metrics.mean_relative);
+  picture.title = fmt::format(
+      "{} / (|B| + {:.3g})",
+      picture.is_signed ? "signed difference (A-B)" : "relative difference |A-B|", metrics.eps);
+  if (picture.is_signed) picture.colormap = image::Colormap::blue_red;
+  const auto kind =
+      picture.is_signed ? image::DifferenceKind::signed_relative : image::DifferenceKind::relative;
+  return image::difference_picture(image::difference_map(a, b, kind, metrics.eps), picture);
+}
+
+void print_json(const Options& options, const Image& a, const image::Metrics& m, const Flip& flip) {
+  const auto place = [](image::PixelPlace p) { return nlohmann::ordered_json::array({p.x, p.y}); };
+  nlohmann::ordered_json out;
+  out["image"] = options.a;
+  out["reference"] = options.b;
+  out["width"] = a.width;
+  out["height"] = a.height;
+  out["pixels_compared"] = m.pixel_count;
+  out["pixels_masked"] = m.masked_count;
+  out["pixels_not_finite"] = m.non_finite_count;
+  out["pixels_not_finite_in_image"] = m.non_finite_a;
+  out["pixels_not_finite_in_reference"] = m.non_finite_b;
+  out["mean_image"] = m.mean_a;
+  out["mean_reference"] = m.mean_b;
+  out["bias"] = m.bias;
+  out["mae"] = m.mae;
+  out["rmse"] = m.rmse;
+  out["psnr_db"] = m.psnr; // null if infinite, that is, if the pictures are equal
+  out["psnr_peak"] = m.psnr_peak;
+  out["relative_epsilon"] = m.eps;
+  out["relative_mse"] = m.relative_mse;
+  out["mean_relative_error"] = m.mean_relative;
+  out["max_relative_error"] = m.max_relative;
+  out["max_relative_error_at"] = place(m.max_relative_at);
+  out["max_absolute_difference"] = m.max_abs;
+  out["max_absolute_difference_at"] = place(m.max_abs_at);
+  out["flip"] = {{"mean", flip.mean}, {"max", flip.max}, {"max_at", place(flip.max_at)}};
+  out["flip"].update(flip.details);
+  if (!options.diff.empty()) out["difference_picture"] = options.diff;
+  // A path may hold any bytes; they must not break the output.
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  fmt::print("{}\n", out.dump(2, ' ', false, replace));
+}
+
+void print_table(const Options& options, const Image& a, const image::Metrics& m,
+                 const Flip& flip) {
+  fmt::print("image        {}\nreference    {}\n", options.a, options.b);
+  fmt::print("size         {}x{}, {} pixels compared", a.width, a.height, m.pixel_count);
+  if (m.masked_count > 0) fmt::print(", {} masked", m.masked_count);
+  if (m.non_finite_count > 0)
+    fmt::print(", {} with NaN or infinity left out (image {}, reference {})", m.non_finite_count,
+               m.non_finite_a, m.non_finite_b);
+  fmt::print("\n\n");
+  const auto row = [](const char* name, const std::string& value, const std::string& note) {
+    fmt::print("{}\n", note.empty() ? fmt::format("{:<16}{:>12}", name, value)
+                                    : fmt::format("{:<16}{:>12}   {}", name, value, note));
+  };
+  const auto number = [](double v) { return fmt::format("{:.5g}", v); };
+  const auto percent = [](double v) { return fmt::format("{:.4g} %", 100.0 * v); };
+  const auto at = [](image::PixelPlace p) { return fmt::format("at pixel ({}, {})", p.x, p.y); };
+  row("mean relative", percent(m.mean_relative), fmt::format("|A-B| / (|B| + {:.3g})", m.eps));
+  row("max relative", percent(m.max_relative), at(m.max_relative_at));
+  row("relative MSE", number(m.relative_mse), "");
+  row("RMSE", number(m.rmse), "");
+  row("MAE", number(m.mae), "");
+  row("bias", number(m.bias), fmt::format("mean of A {:.5g}, of B {:.5g}", m.mean_a, m.mean_b));
+  row("max absolute", number(m.max_abs), at(m.max_abs_at));
+  row("PSNR", std::isinf(m.psnr) ? "equal" : fmt::format("{:.2f} dB", m.psnr),
+      fmt::format("peak {:.5g}", m.psnr_peak));
+  row("FLIP mean", number(flip.mean), flip.kind);
+  row("FLIP max", number(flip.max), at(flip.max_at));
+  if (!options.diff.empty()) fmt::print("\ndifference   {}\n", options.diff);
+}
+
+Status run(const Options& options) {
+  Result<Image> a = image::read(options.a);
+  if (!a) return a.error();
+  Result<Image> b = image::read(options.b);
+  if (!b) return b.error();
+  if (Status ok = check_same_size(options.a, *a, options.b, *b); !ok) return ok;
+
+  std::vector<std::uint8_t> mask;
+  if (!options.mask.empty()) {
+    Result<Image> picture = image::read(options.mask);
+    if (!picture) return picture.error();
+    if (Status ok = check_same_size(options.mask, *picture, options.b, *b); !ok) return ok;
+    mask = mask_from(*picture);
+  }
+  for (const std::string& input : {options.a, options.b, options.mask}) {
+    std::error_code ec;
+    if (!options.diff.empty() && std::filesystem::equivalent(options.diff, input, ec))
+      return Error{
+          fmt::format("{}: is an input; give the difference picture another name", options.diff)};
+  }
+  if (image::is_scene_linear_extension(options.a) != image::is_scene_linear_extension(options.b))
+    fmt::print(stderr,
+               "warning: one of {} and {} holds scene-linear radiance, the other displayed "
+               "colours; the numbers compare them in linear light as they are\n",
+               options.a, options.b);
+
+  image::MetricOptions metric_options;
+  metric_options.mask = mask;
+  const image::Metrics metrics = image::compare(*a, *b, metric_options);
+  if (metrics.pixel_count == 0)
+    return Error{fmt::format("{} and {}: no pixel is left to compare ({} masked, {} not finite)",
+                             options.a, options.b, metrics.masked_count, metrics.non_finite_count)};
+  const Flip flip = compute_flip(options, *a, *b, mask);
+  if (!options.diff.empty()) {
+    const Image picture = make_difference_picture(options, *a, *b, metrics, flip, mask);
+    if (Status ok = image::write_png(options.diff, picture); !ok) return ok;
+  }
+  if (options.json)
+    print_json(options, *a, metrics, flip);
+  else
+    print_table(options, *a, metrics, flip);
+  return Success{};
+}
+
+} // namespace
+
+void add_compare(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("compare", "Measure how far picture A is from its reference B: RMSE, "
+                                    "relative errors, PSNR, FLIP, and a difference picture");
+  command->footer(k_footer);
+  command->add_option("A", options->a, "Picture to judge (.exr .hdr .png .jpg)")->required();
+  command->add_option("B", options->b, "The reference, of the same size")->required();
+  command->add_flag("--json", options->json, "Print JSON instead of a table");
+  command
+      ->add_option("--diff", options->diff,
+                   "Write a difference picture with a colour scale to this .png file")
+      ->check(CLI::Validator(check_png, "OUT.png"));
+  command
+      ->add_option("--metric", options->metric,
+                   "What the difference picture shows: relative |A-B|/|B| (default), absolute "
+                   "|A-B|, signed (A-B)/|B|, or flip")
+      ->check(CLI::IsMember({"relative", "absolute", "signed", "flip"}))
+      ->needs("--diff");
+  command
+      ->add_option("--scale", options->scale,
+                   "Upper end of the difference picture's scale, e.g. 0.05 for 5 % (default: a "
+                   "round number that 1 % of the pixels exceed; 1 for flip)")
+      ->check(CLI::Validator(check_positive, "MAX"))
+      ->needs("--diff");
+  command->add_option("--mask", options->mask,
+                      "Compare only pixels where this picture is not black");
+  command
+      ->add_option("--exposure", options->exposure,
+                   "For .exr and .hdr: FLIP of the pictures as displayed at this EV100 (auto: "
+                   "chosen from B) instead of HDR-FLIP")
+      ->check(CLI::Validator(check_exposure, "EV100|auto"));
+  command
+      ->add_option("--pixels-per-degree", options->pixels_per_degree,
+                   "For FLIP: how near the viewer sits (default 67: a 0.7 m wide 4K screen at "
+                   "0.7 m)")
+      ->check(CLI::Validator(check_positive, "PPD"));
+
+  command->callback([options, &exit_code] {
+    Status status = Success{};
+    try {
+      status = run(*options);
+    } catch (const std::bad_alloc&) {
+      status = Error{
+          fmt::format("{} and {}: not enough memory to compare them", options->a, options->b)};
+    }
+    if (status.ok()) return;
+    fmt::print(stderr, "openltc compare: {}\n", status.error().message);
+    exit_code = k_exit_failed;
+  });
+}
+
+} // namespace openltc::cli

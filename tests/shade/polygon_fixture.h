@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Polygons for the tests, and their integrals by brute force.
+
+#pragma once
+
+#include "openltc/target/shade_f64.h"
+
+#include <vector>
+
+namespace openltc::testing {
+
+using Ring =
+    std::vector<Vec2d>; ///< outer rings counter-clockwise about the normal, holes clockwise
+
+/// Owner of a PolygonView's arrays.
+class TestPolygon {
+public:
+  /// Rings in the plane through `origin` spanned by orthonormal `axis_u`, `axis_v`.
+  TestPolygon(const std::vector<Ring>& rings, Vec3d origin, Vec3d axis_u, Vec3d axis_v,
+              bool two_sided = false);
+
+  const PolygonView& view() const { return view_; }
+  TestPolygon(const TestPolygon&) = delete;
+  TestPolygon& operator=(const TestPolygon&) = delete;
+
+private:
+  std::vector<float> points_, in_plane_;
+  PolygonView view_;
+};
+
+Ring rectangle(double width, double height, Vec2d center = {0, 0});
+Ring l_shape(double size);
+Ring star(int spikes, double outer, double inner);
+Ring reversed(Ring ring);
+
+/// Integral of the lobe's density over the polygon seen from `position`, both horizons honoured:
+/// signed triangles of the polygon's plane, clipped, and Gauss points refined until they agree.
+/// Nothing in it is shared with integrate_polygon but the density itself.
+double brute_force_integral(const PolygonView& polygon, Vec3d position, const f64::Frame& frame,
+                            const f64::Lobe& lobe, double tolerance);
+
+/// Whether a point of the plane lies inside the outline: sum of the signed angles that its edges
+/// subtend, 2 pi inside and 0 outside.
+bool inside_by_winding(const PolygonView& polygon, Vec2d point);
+
+} // namespace openltc::testing
