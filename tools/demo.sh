@@ -46,19 +46,19 @@ render() {
   seconds="$(awk -v ns="$((end - start))" 'BEGIN { printf "%.1f", ns / 1e9 }')"
 }
 
-# One number of a comparison's JSON, or a dash when it is not there.
-metric() { # json name
+# The line of the summary that a comparison's JSON amounts to.
+summary() { # json label seconds_ltc seconds_reference
   /usr/bin/python3 -c 'import json, sys
-value = json.loads(sys.argv[1]).get(sys.argv[2])
-print("%.4g" % value if isinstance(value, (int, float)) else "-")' "$1" "$2"
+result, label, ltc, reference = json.loads(sys.argv[1]), *sys.argv[2:]
+print("%-20s %14.2f %% %10.4f %10s s %10s s" % (label, 100 * result["mean_relative_error"],
+      result["flip"]["mean"], ltc, reference))' "$@"
 }
 
 # Compares two pictures and prints a line of the summary.
 compare() { # label a b seconds_a seconds_b difference_picture
   local json
   json="$("$tool" compare "$2" "$3" --json --diff "$6")"
-  rows+=("$(printf '%-22s %10s %10s %10s %10s' "$1" "$(metric "$json" mean_relative_error)" \
-    "$(metric "$json" flip)" "$4 s" "$5 s")")
+  rows+=("$(summary "$json" "$1" "$4" "$5")")
 }
 
 rows=()
@@ -86,7 +86,7 @@ compare "without shadows" "$out/demo_unshadowed.exr" "$out/demo_unshadowed_refer
   "$ltc_seconds" "$seconds" "$out/demo_unshadowed_difference.png"
 
 echo
-printf '%-22s %10s %10s %10s %10s\n' "$compare_size" "rel. error" "FLIP" "LTC" "reference"
+printf '%-20s %16s %10s %12s %12s\n' "$compare_size" "relative error" "FLIP" "LTC" "reference"
 printf '%s\n' "${rows[@]}"
 echo
 echo "the picture, $size in $picture_seconds s:   $out/demo.png  $out/demo.exr"
