@@ -50,25 +50,25 @@ FN Real theta_over_sin(Real x) {
   return select(x < Real(0.0), k_pi * inv_sin - v, v);
 }
 
-/// Contribution of the arc from a to b = a + d to 2 pi E. d is passed by itself so that the cross
-/// product of a small, far edge does not cancel.
-FN Real edge_term(Vec3 a, Vec3 b, Vec3 d) {
+/// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
+/// itself so that the cross product of a small, far edge does not cancel.
+FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {
   Real inv_a = inversesqrt(max(dot(a, a), Real(k_tiny)));
   Real inv_b = inversesqrt(max(dot(b, b), Real(k_tiny)));
   Real x = dot(a, b) * inv_a * inv_b;
-  Real cross_z = a.x * d.y - a.y * d.x;
-  return cross_z * inv_a * inv_b * theta_over_sin(x);
+  return cross(a, d) * (inv_a * inv_b * theta_over_sin(x));
 }
 
 /// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
-FN Real apex_term(Vec3 p, Real s) {
+FN Vec3 apex_term(Vec3 p, Real s) {
   Real inv_p = inversesqrt(max(dot(p, p), Real(k_tiny)));
-  return s * p.x * inv_p * theta_over_sin(s * p.y * inv_p);
+  Real weight = s * inv_p * theta_over_sin(s * p.y * inv_p);
+  return Vec3(-weight * p.z, Real(0.0), weight * p.x);
 }
 
 /// One edge of the outline, clipped to the wedge and closed towards the apex.
 /// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
-FN Real clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
+FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
   Vec3 d = b_o - a_o;
   Mask a_inside = a_z >= Real(0.0) && a_o.z >= Real(0.0);
   Mask b_inside = b_z >= Real(0.0) && b_o.z >= Real(0.0);
@@ -99,16 +99,26 @@ FN Real clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
   // A point cut at the cosine's horizon lies on it.
   p0.z = max(p0.z, Real(0.0));
   p1.z = max(p1.z, Real(0.0));
-  Real sum = edge_term(p0, p1, d * (t1 - t0));
-  sum = sum - select(a_inside, Real(0.0), apex_term(p0, s));
-  sum = sum + select(b_inside, Real(0.0), apex_term(p1, s));
-  return select(outside, Real(0.0), sum);
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 sum = edge_term(p0, p1, d * (t1 - t0));
+  sum = sum - select(a_inside, none, apex_term(p0, s));
+  sum = sum + select(b_inside, none, apex_term(p1, s));
+  return select(outside, none, sum);
 }
 
 struct PolygonIntegral {
-  Real diffuse;  // integral of cos/pi over the polygon, 0..1
-  Real specular; // integral of the lobe's density, both horizons respected, 0..1
+  Real diffuse;            // integral of cos/pi over the polygon, 0..1
+  Real specular;           // integral of the lobe's density, both horizons respected, 0..1
+  Vec3 specular_direction; // where that light comes from, unit, shading space; see below
 };
+
+/// v / |v|, or the normal where v has no direction to speak of.
+FN Vec3 safe_direction(Vec3 v) {
+  Real length2 = dot(v, v);
+  Mask usable = length2 > Real(k_tiny);
+  return select(usable, v * inversesqrt(max(length2, Real(k_tiny))),
+                Vec3(Real(0.0), Real(0.0), Real(1.0)));
+}
 
 /// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
 /// normal, meets the y axis.
@@ -118,13 +128,17 @@ FN Real apex_side(Real normal_y, Real h) {
 
 /// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 /// behind a one-sided polygon.
+///
+/// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
+/// is the integral; the direction is the mean direction of the part of the polygon that counts,
+/// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
 FN PolygonIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
   Vec3 normal = polygon_normal(polygon);
   Real h = dot(polygon_origin(polygon) - position, normal);
   Real s = apex_side(dot(frame.t2, normal), h);
 
-  Real diffuse = Real(0.0);
-  Real specular = Real(0.0);
+  Vec3 diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 specular = diffuse;
   Vec3 a = Vec3(Real(0.0), Real(0.0), Real(1.0));
   Vec3 a_o = a;
   int count = polygon_point_count(polygon);
@@ -143,8 +157,9 @@ FN PolygonIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame
   // clockwise about directions from the surface: the sum is negative there, positive behind.
   Real side = select(h < Real(0.0), Real(-1.0), polygon_two_sided(polygon) ? Real(1.0) : Real(0.0));
   PolygonIntegral result;
-  result.diffuse = min(max(diffuse * side * k_half_inv_pi, Real(0.0)), Real(1.0));
-  result.specular = min(max(specular * side * k_half_inv_pi, Real(0.0)), Real(1.0));
+  result.diffuse = min(max(diffuse.z * side * k_half_inv_pi, Real(0.0)), Real(1.0));
+  result.specular = min(max(specular.z * side * k_half_inv_pi, Real(0.0)), Real(1.0));
+  result.specular_direction = safe_direction(from_cosine(lobe, safe_direction(specular * side)));
   return result;
 }
 

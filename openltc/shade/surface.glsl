@@ -17,8 +17,9 @@ struct Surface {
   Vec3 diffuse;  // k_d c, albedo of the Lambertian part
   Vec3 f0;
   Vec3 f90;
-  Lobe lobe;
-  Vec3 specular; // amplitude of the lobe
+  FittedLobe fitted;
+  Vec3 specular; // F0 n1 + (F90 - F0) n5, the specular albedo
+  Real axis_weight; // n5/n1 less Schlick's weight on the lobe's axis
 };
 
 /// Prepares a point for shading. `normal` and `wo_world` are unit; `albedo` is (1 - metallic) c.
@@ -31,18 +32,34 @@ FN Surface make_surface(LobeTable table, Vec3 position, Vec3 normal, Vec3 wo_wor
   s.alpha = alpha_from_roughness(roughness);
   s.f0 = f0;
   s.f90 = f90;
-  FittedLobe fitted = fetch_lobe(table, s.alpha, s.wo.z);
-  s.lobe = fitted.lobe;
-  s.specular = specular_amplitude(fitted, f0, f90);
+  s.fitted = fetch_lobe(table, s.alpha, s.wo.z);
+  s.specular = specular_amplitude(s.fitted, f0, f90);
+  Vec3 axis = from_cosine(s.fitted.lobe, Vec3(Real(0.0), Real(0.0), Real(1.0)));
+  s.axis_weight = s.fitted.n5 / max(s.fitted.n1, Real(k_tiny)) -
+                  schlick_weight_between(s.wo, safe_direction(axis));
   Real taken = max(max(s.specular.x, s.specular.y), s.specular.z);
   s.diffuse = albedo * max(Real(1.0) - taken, Real(0.0));
   return s;
 }
 
+/// Specular reflectance of a share of the lobe, 0..1, whose light comes from around wi.
+///
+/// F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
+/// from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
+/// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus what the
+/// whole lobe has beyond its axis in proportion to the share: exact for a small light, w(wi), and
+/// for one that fills the lobe, n5/n1.
+FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
+  Real weight = schlick_weight_between(s.wo, wi) + share * s.axis_weight;
+  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, Real(0.0)), Real(1.0));
+  return fresnel * (s.fitted.n1 * share);
+}
+
 /// Light from a polygon of radiance 1 in closed form, without shadow.
 FN Vec3 shade_polygon(Surface s, Polygon polygon) {
-  PolygonIntegral integral = integrate_polygon(polygon, s.position, s.frame, s.lobe);
-  return s.diffuse * integral.diffuse + s.specular * integral.specular;
+  PolygonIntegral integral = integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+  return s.diffuse * integral.diffuse +
+         specular_reflectance(s, integral.specular_direction, integral.specular);
 }
 
 /// The exact BRDF times cos_i for a direction of shading space: what the reference integrates.
@@ -51,11 +68,13 @@ FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
          eval_ggx(s.wo, wi_shading, s.alpha, s.f0, s.f90);
 }
 
-/// The LTC approximation of eval_surface: lobe density times amplitude (MATHS section 5).
+/// The LTC approximation of eval_surface, the limit of shade_polygon for a small light: Fresnel
+/// times n1 times the lobe's density (MATHS section 5).
 FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
   // Clipped to the surface's horizon like the polygon integral.
-  Real density = select(wi_shading.z > Real(0.0), eval_lobe(s.lobe, wi_shading), Real(0.0));
-  return s.diffuse * eval_lambert(wi_shading) + s.specular * density;
+  Real density = select(wi_shading.z > Real(0.0), eval_lobe(s.fitted.lobe, wi_shading), Real(0.0));
+  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * schlick_weight_between(s.wo, wi_shading);
+  return s.diffuse * eval_lambert(wi_shading) + fresnel * (s.fitted.n1 * density);
 }
 
 /// Probability with which sample_surface draws from GGX rather than from the cosine.
