@@ -276,7 +276,8 @@ void add_render(CLI::App& app, int& exit_code) {
                       "Camera samples per pixel [8; reference 256, each with one light sample]")
       ->check(CLI::Range(1, 1 << 20));
   command->add_option("--shadow-samples", a.shadow_samples,
-                      "Shadow rays per camera sample and area light; 0 turns all shadows off")
+                      "Shadow rays per pixel and area light, at least one for each camera sample; 0 turns "
+                      "all shadows off")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   const std::map<std::string, render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},

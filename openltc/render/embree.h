@@ -49,7 +49,7 @@ inline void intersect_16(const int* valid, RTCScene scene, QueryContext& context
   rtcIntersect16(valid, scene, &context, &rays);
 }
 inline void occluded_16(const int* valid, RTCScene scene, QueryContext& context, RTCRay16& rays) {
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcOccluded16(valid, scene, &context, &rays);
 }
 

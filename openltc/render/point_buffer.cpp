@@ -12,12 +12,12 @@ PointBuffer::PointBuffer(std::size_t capacity) : capacity_(capacity) {
   for (auto& channel : out_) channel.assign(padded, 0.0f);
   seed_.assign(padded, 0);
   index_.assign(padded, 0);
-  target_.assign(capacity, 0);
-  weight_.assign(capacity, 0);
+  pixel_.assign(padded, 0);
+  sample_.assign(padded, 0);
+  weight_.assign(padded, 0.0f);
 }
 
-void PointBuffer::add(const SurfacePoint& p, std::uint32_t pixel_seed, std::uint32_t sample_index,
-                      std::uint32_t target, float weight) {
+void PointBuffer::add(const SurfacePoint& p, const PointTarget& target) {
   const std::size_t i = count_++;
   const auto put3 = [&](PointField field, Vec3f v) {
     fields_[std::size_t(field)][i] = v.x;
@@ -33,18 +33,22 @@ void PointBuffer::add(const SurfacePoint& p, std::uint32_t pixel_seed, std::uint
   fields_[k_f90][i] = p.f90;
   fields_[k_roughness][i] = p.roughness;
   fields_[k_offset][i] = p.offset;
-  seed_[i] = pixel_seed;
-  index_[i] = sample_index;
-  target_[i] = target;
-  weight_[i] = weight;
+  seed_[i] = target.pixel_seed;
+  index_[i] = target.sample_index;
+  pixel_[i] = target.pixel;
+  sample_[i] = target.sample;
+  weight_[i] = target.weight;
 }
 
 void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
-                        std::vector<Vec3f>& samples) {
+                        std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
+                        int pixel_count) {
   if (count_ == 0) return;
   // Fill the last register with copies of the last point, so that every lane holds valid numbers.
   for (std::size_t i = count_; i % k_batch_padding != 0; ++i) {
     for (auto& field : fields_) field[i] = field[count_ - 1];
+    weight_[i] = 0;
+    pixel_[i] = pixel_[count_ - 1];
     seed_[i] = seed_[count_ - 1];
     index_[i] = index_[count_ - 1];
   }
@@ -52,11 +56,15 @@ void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
   batch.count = int(count_);
   for (std::size_t f = 0; f < fields_.size(); ++f) batch.in[f] = fields_[f].data();
   for (std::size_t c = 0; c < 3; ++c) batch.out[c] = out_[c].data();
+  batch.weight = weight_.data();
+  batch.pixel = pixel_.data();
+  batch.ratio_sums = ratio_sums.data();
+  batch.pixel_count = pixel_count;
   batch.seed = seed_.data();
   batch.index = index_.data();
   kernel.shade(context, batch);
   for (std::size_t i = 0; i < count_; ++i)
-    samples[target_[i]] += Vec3f(out_[0][i], out_[1][i], out_[2][i]) * weight_[i];
+    samples[sample_[i]] += Vec3f(out_[0][i], out_[1][i], out_[2][i]) * weight_[i];
   count_ = 0;
 }
 

@@ -13,25 +13,31 @@
 
 namespace openltc::render {
 
+/// Where a point's light goes.
+struct PointTarget {
+  std::uint32_t sample = 0;       ///< entry of the caller's camera samples
+  std::uint32_t pixel = 0;        ///< of the tile
+  std::uint32_t pixel_seed = 0;
+  std::uint32_t sample_index = 0; ///< of the camera sample within the pixel
+  float weight = 1;               ///< share in the camera sample
+};
+
 class PointBuffer {
 public:
   explicit PointBuffer(std::size_t capacity);
 
   bool full() const { return count_ == capacity_; }
-  std::size_t count() const { return count_; }
+  void add(const SurfacePoint& point, const PointTarget& target);
 
-  /// Adds a point; its light, times `weight`, belongs to entry `target` of the caller's samples.
-  void add(const SurfacePoint& point, std::uint32_t pixel_seed, std::uint32_t sample_index,
-           std::uint32_t target, float weight);
-
-  /// Shades all points, adds to `samples` and becomes empty.
-  void shade(const Kernel& kernel, const KernelContext& context, std::vector<Vec3f>& samples);
+  /// Shades all points, adds to `samples` and `ratio_sums` (see ShadingBatch) and becomes empty.
+  void shade(const Kernel& kernel, const KernelContext& context, std::vector<Vec3f>& samples,
+             std::vector<float>& ratio_sums, int pixel_count);
 
 private:
   std::size_t capacity_, count_ = 0;
   std::array<std::vector<float>, k_point_field_count> fields_;
   std::array<std::vector<float>, 3> out_;
-  std::vector<std::uint32_t> seed_, index_, target_;
+  std::vector<std::uint32_t> seed_, index_, pixel_, sample_;
   std::vector<float> weight_;
 };
 

@@ -101,7 +101,7 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
                              int(rtcGetDeviceError(nullptr)))};
   state.scene = rtcNewScene(state.device);
   rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(state.scene, RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetSceneBuildQuality(state.scene, RTC_BUILD_QUALITY_HIGH);
 
   state.user_data.reserve(scene.meshes.size());
   for (std::size_t m = 0; m < scene.meshes.size(); ++m) {

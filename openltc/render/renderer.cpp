@@ -28,6 +28,7 @@ namespace {
 constexpr int k_tile = 16;              // pixels; a row of a tile is one ray packet
 constexpr int k_max_layers = 32;        // blended surfaces along one camera ray
 constexpr int k_max_size = 32768;       // pixels on a side
+constexpr int k_tile_pixels = k_tile * k_tile;
 constexpr std::size_t k_batch = 4096;   // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
 
@@ -47,6 +48,12 @@ struct Job {
   KernelContext context;
 };
 
+bool needs_ratio(const KernelContext& context) {
+  return context.integrator == Integrator::ltc && context.trace && context.polygon_count > 0;
+}
+
+int divide_up(int a, int b) { return (a + b - 1) / b; }
+
 /// One tile's pixels and the samples of the chunk in work.
 class Tile {
 public:
@@ -56,15 +63,17 @@ public:
 
   void render(Picture& picture) {
     const int samples = job_.options.samples;
-    const int pixels = k_tile * k_tile;
+    const int pixels = k_tile_pixels;
     std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
+    if (needs_ratio(job_.context))
+      ratio_sums_.assign(std::size_t(job_.context.polygon_count * k_ratio_sum_count * pixels), 0.0f);
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
       const int count = std::min(chunk, samples - first);
       samples_.assign(std::size_t(pixels * count), Vec3f(0.0f));
       for (int s = 0; s < count; ++s)
         for (int row = 0; row < height_; ++row) trace_row(row, first + s, s * pixels);
-      points_.shade(job_.kernel, job_.context, samples_);
+      shade_points();
       for (int i = 0; i < pixels * count; ++i) {
         const Vec3f& v = samples_[std::size_t(i)];
         const Vec3d d(v.x, v.y, v.z);
@@ -77,13 +86,14 @@ public:
         const std::size_t i = std::size_t(row * k_tile + column);
         const double n = samples;
         const Vec3d mean = sum[i] / n;
+        const Vec3d polygons = shadowed_polygons(i) / n;
         const auto error = [&](double m, double s2) {
           return n > 1 ? float(std::sqrt(std::max(s2 / n - m * m, 0.0) / (n - 1))) : 0.0f;
         };
         float* out = picture.radiance.pixel(x0_ + column, y0_ + row);
-        out[0] = float(mean.x);
-        out[1] = float(mean.y);
-        out[2] = float(mean.z);
+        out[0] = float(mean.x + polygons.x);
+        out[1] = float(mean.y + polygons.y);
+        out[2] = float(mean.z + polygons.z);
         float* e = picture.standard_error.pixel(x0_ + column, y0_ + row);
         e[0] = error(mean.x, sum2[i].x);
         e[1] = error(mean.y, sum2[i].y);
@@ -92,6 +102,30 @@ public:
   }
 
 private:
+  void shade_points() {
+    points_.shade(job_.kernel, job_.context, samples_, ratio_sums_, k_tile_pixels);
+  }
+
+  // Light of all polygons in a pixel, summed over its camera samples: the closed form times the
+  // ratio of shadowed to unshadowed light. No sample found the light: no shadow is known either.
+  Vec3d shadowed_polygons(std::size_t pixel) const {
+    Vec3d total(0.0);
+    if (ratio_sums_.empty()) return total;
+    for (int l = 0; l < job_.context.polygon_count; ++l) {
+      const float* sums =
+          ratio_sums_.data() + std::size_t(l * k_ratio_sum_count * k_tile_pixels) + pixel;
+      const auto channel = [&](int c) {
+        const double closed = sums[(k_closed_r + c) * k_tile_pixels];
+        const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
+        const double shadowed = sums[(k_shadowed_r + c) * k_tile_pixels];
+        const double ratio = unshadowed > 0 ? shadowed / unshadowed : 1.0;
+        return closed * ratio * double(job_.context.polygons[l].radiance[c]);
+      };
+      total += Vec3d(channel(0), channel(1), channel(2));
+    }
+    return total;
+  }
+
   std::uint32_t pixel_seed(int x, int y) const {
     return hash_combine(hash_combine(std::uint32_t(x), std::uint32_t(y)), job_.options.seed);
   }
@@ -143,8 +177,9 @@ private:
         const float weight = throughput[i] * point.alpha;
         radiance += point.emission * weight;
         if (point.lit && weight > 0) {
-          points_.add(point, seed[i], std::uint32_t(sample), std::uint32_t(base + i), weight);
-          if (points_.full()) points_.shade(job_.kernel, job_.context, samples_);
+          points_.add(point, {std::uint32_t(base + i), std::uint32_t(row * k_tile + i), seed[i],
+                              std::uint32_t(sample), weight});
+          if (points_.full()) shade_points();
         }
         throughput[i] *= 1 - point.alpha;
         if (throughput[i] > 1.0e-3f) {
@@ -162,6 +197,7 @@ private:
   int x0_, y0_, width_, height_;
   PointBuffer points_;
   std::vector<Vec3f> samples_;
+  std::vector<float> ratio_sums_; // see ShadingBatch; empty unless the ratio is needed
 };
 
 Status check(const RenderOptions& o) {
@@ -201,9 +237,12 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   context.integrator = options.integrator;
   context.punctual_form = options.punctual_form;
   const bool reference = options.integrator == Integrator::reference;
-  context.light_samples = reference ? 1 : options.shadow_samples;
+  // The samples of the shadow ratio are spread over the pixel's camera samples.
+  context.light_samples = reference ? 1 : divide_up(options.shadow_samples, options.samples);
   context.brdf_samples =
-      reference ? 1 : std::min((options.shadow_samples + 1) / 2, k_max_brdf_samples);
+      reference ? 1
+                : std::min(divide_up(options.shadow_samples, 2 * options.samples),
+                           k_max_brdf_samples);
   if (options.shadow_samples > 0) {
     context.trace = [](const void* tracer, const ShadowRays& shadow_rays) {
       static_cast<const RayScene*>(tracer)->trace_shadows(shadow_rays);

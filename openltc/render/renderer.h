@@ -22,8 +22,8 @@ struct RenderOptions {
   int height = 720;
   Integrator integrator = Integrator::ltc;
   int samples = 8; ///< camera samples per pixel; the reference takes one light sample with each
-  /// LTC: samples of the shadow ratio per camera sample and polygon light, 0 = no shadows at all.
-  /// Reference: only whether it is 0.
+  /// LTC: samples of the shadow ratio per pixel and polygon light, spread over its camera samples,
+  /// at least one each; 0 = no shadows at all. Reference: only whether it is 0.
   int shadow_samples = 16;
   PunctualForm punctual_form = PunctualForm::exact;
   Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing

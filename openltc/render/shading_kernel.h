@@ -29,13 +29,27 @@ enum PointField {
   k_point_field_count
 };
 
+/// What the shadow ratio needs of one polygon light, summed over a pixel's points and samples.
+enum RatioSum {
+  k_closed_r, k_closed_g, k_closed_b,             ///< closed form, without shadow
+  k_unshadowed_r, k_unshadowed_g, k_unshadowed_b, ///< its estimate by sampling
+  k_shadowed_r, k_shadowed_g, k_shadowed_b,       ///< the same samples times their visibility
+  k_ratio_sum_count
+};
+
 /// Surface points in, radiance out. The arrays are padded to a multiple of k_batch_padding.
 struct ShadingBatch {
   int count = 0;
   const float* in[k_point_field_count] = {};
+  const float* weight = nullptr;        ///< share of the point in its camera sample
+  const std::uint32_t* pixel = nullptr; ///< below pixel_count
   const std::uint32_t* seed = nullptr;  ///< of the pixel
   const std::uint32_t* index = nullptr; ///< of the camera sample within the pixel
-  float* out[3] = {};                   ///< radiance, nits
+  float* out[3] = {};                   ///< radiance, nits, without weight
+  /// With the LTC integrator and shadows, polygon lights do not go to `out`: their weighted sums,
+  /// for radiance 1, are added here, [light][RatioSum][pixel]. Else unused.
+  float* ratio_sums = nullptr;
+  int pixel_count = 0;
 };
 
 inline constexpr int k_batch_padding = 16;
@@ -82,9 +96,9 @@ struct KernelContext {
   int punctual_count = 0;
   Integrator integrator = Integrator::ltc;
   PunctualForm punctual_form = PunctualForm::exact;
-  int light_samples = 0; ///< per point and polygon; 0 with the LTC integrator: no shadows
+  int light_samples = 0; ///< per point and polygon
   int brdf_samples = 0;  ///< per point, shared by all polygons; at most k_max_brdf_samples
-  TraceShadows trace = nullptr; ///< null: everything is visible
+  TraceShadows trace = nullptr; ///< null: no shadows
   const void* tracer = nullptr;
 };
 
