@@ -149,6 +149,7 @@ Status check_exists(const std::string& path) {
 void limit_header_sizes() {
   static const bool done = [] {
     Imf::Header::setMaxImageSize(k_max_side, k_max_side);
+    Imf::Header::setMaxTileSize(8192, 8192); // a tile is held in memory as a whole
     return true;
   }();
   (void)done;
