@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -104,8 +105,14 @@ std::vector<std::uint8_t> mask_from(const Image& picture) {
   return mask;
 }
 
+constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
+
+bool is_finite(Vec3f v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 struct Flip {
-  Image map;
+  Image map;        // NaN where a pixel is left out
   std::string kind; // for the user
   nlohmann::ordered_json details;
   double mean = 0.0, max = 0.0;
@@ -148,10 +155,8 @@ Flip compute_flip(const Options& options, const Image& a, const Image& b,
     const auto display = [&](const Image& image) {
       Image out = image::to_display(image, exposure, tonemap);
       for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-          const Vec3f v = image.rgb(x, y);
-          if (!std::isfinite(v.x + v.y + v.z)) std::fill_n(out.pixel(x, y), 3, NAN);
-        }
+        for (int x = 0; x < image.width; ++x)
+          if (!is_finite(image.rgb(x, y))) std::fill_n(out.pixel(x, y), 3, k_nan);
       return out;
     };
     flip.map = image::flip_ldr(display(a), display(b), flip_options);
@@ -159,12 +164,17 @@ Flip compute_flip(const Options& options, const Image& a, const Image& b,
   std::size_t count = 0;
   for (std::size_t i = 0; i < flip.map.data.size(); ++i) {
     if (!mask.empty() && mask[i] == 0) continue;
+    const int x = int(i % std::size_t(a.width)), y = int(i / std::size_t(a.width));
+    if (!is_finite(a.rgb(x, y)) || !is_finite(b.rgb(x, y))) {
+      flip.map.data[i] = k_nan; // left out, and drawn as such
+      continue;
+    }
     const double value = double(flip.map.data[i]);
     ++count;
     flip.mean += value;
     if (value > flip.max || flip.max_at.x < 0) {
       flip.max = value;
-      flip.max_at = {int(i % std::size_t(a.width)), int(i / std::size_t(a.width))};
+      flip.max_at = {x, y};
     }
   }
   if (count > 0) flip.mean /= double(count);
@@ -182,21 +192,23 @@ Image make_difference_picture(const Options& options, const Image& a, const Imag
   };
   const std::string names =
       fmt::format("{} against {}", file_name(options.a), file_name(options.b));
+  const std::string legend = metrics.non_finite_count > 0 ? "; green: NaN or infinity" : "";
   if (options.metric == "flip") {
     if (picture.scale_max <= 0.0f) picture.scale_max = 1.0f;
     picture.title = flip.kind;
-    picture.caption = fmt::format("{}: mean {:.4f}", names, flip.mean);
+    picture.caption = fmt::format("{}: mean {:.4f}{}", names, flip.mean, legend);
     return image::difference_picture(flip.map, picture);
   }
   if (options.metric == "absolute") {
     picture.title = "absolute difference |A-B|";
-    picture.caption = fmt::format("{}: mean {:.4g}", names, metrics.mae);
+    picture.caption = fmt::format("{}: mean {:.4g}{}", names, metrics.mae, legend);
     return image::difference_picture(
         image::difference_map(a, b, image::DifferenceKind::absolute, metrics.eps), picture);
   }
   picture.percent = true;
   picture.is_signed = options.metric == "signed";
-  picture.caption = fmt::format("{}: mean {:.3g} %", names, 100.0 * metrics.mean_relative);
+  picture.caption = fmt::format("{}: mean {}{:.3g}%{}", names, picture.is_signed ? "size " : "",
+                                100.0 * metrics.mean_relative, legend);
   picture.title = fmt::format(
       "{} / (|B| + {:.3g})",
       picture.is_signed ? "signed difference (A-B)" : "relative difference |A-B|", metrics.eps);

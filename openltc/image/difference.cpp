@@ -66,7 +66,7 @@ std::vector<Tick> make_ticks(double scale_max, const DifferencePictureOptions& o
     const double value = scale_max * i / intervals * (options.percent ? 100.0 : 1.0);
     ticks.push_back({double(i - first) / (intervals - first),
                      fmt::format("{}{:.3g}{}", options.is_signed && i > 0 ? "+" : "", value,
-                                 options.percent ? " %" : "")});
+                                 options.percent ? "%" : "")});
   }
   return ticks;
 }

@@ -149,9 +149,31 @@ Status check_exists(const std::string& path) {
 void limit_header_sizes() {
   static const bool done = [] {
     Imf::Header::setMaxImageSize(k_max_side, k_max_side);
+    Imf::Header::setMaxTileSize(8192, 8192); // a tile is held in memory as a whole
     return true;
   }();
   (void)done;
+}
+
+// Whether a file of this size can have so many pixels, asked before memory is taken for them.
+// Deflate, the core of the common compressions, shrinks by a factor of 1032 at most, run lengths by
+// less; a pixel has at least one channel of two bytes.
+bool can_hold(const std::string& path, Imf::Compression compression, const Imath::Box2i& window) {
+  switch (compression) {
+  case Imf::NO_COMPRESSION:
+  case Imf::RLE_COMPRESSION:
+  case Imf::ZIPS_COMPRESSION:
+  case Imf::ZIP_COMPRESSION:
+  case Imf::PXR24_COMPRESSION:
+    break;
+  default:
+    return true;
+  }
+  std::error_code ec;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, ec);
+  const std::uint64_t width = std::uint64_t(std::int64_t(window.max.x) - window.min.x + 1);
+  const std::uint64_t height = std::uint64_t(std::int64_t(window.max.y) - window.min.y + 1);
+  return ec || width * height * 2 / 1032 <= bytes;
 }
 
 // Whatever OpenEXR throws becomes one line.
@@ -186,6 +208,10 @@ Result<Image> read_components(const std::string& path, Imf::InputFile& file,
     const std::int64_t height = std::int64_t(box.max.y) - box.min.y + 1;
     if (Status ok = codec::check_size(path, width, height); !ok) return ok.error();
   }
+
+  if (!can_hold(path, file.header().compression(), data))
+    return Error{fmt::format("{}: too small a file for its {}x{} pixels: cut short or damaged",
+                             path, data.max.x - data.min.x + 1, data.max.y - data.min.y + 1)};
 
   const int channels = int(names.size());
   Image image(data.max.x - data.min.x + 1, data.max.y - data.min.y + 1, channels);

@@ -16,6 +16,10 @@
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS 65535
+// Zeroed memory: a file that uses tables which it does not define must not read what lay there.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(pointer, size) std::realloc(pointer, size)
+#define STBI_FREE(pointer) std::free(pointer)
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -29,10 +33,32 @@ namespace openltc::image::codec {
 
 namespace {
 
+enum Marker : std::uint8_t {
+  k_huffman_tables = 0xC4,
+  k_first_restart = 0xD0,
+  k_last_restart = 0xD7,
+  k_end_of_image = 0xD9,
+  k_start_of_scan = 0xDA,
+};
+
+// Huffman tables (T.81, B.2.4.2): one byte of class and number, 16 counts of codes by length, then
+// one value for each code, of which there are at most 256. stb_image before 2.28 takes the counts
+// on trust and writes beyond its table.
+bool are_huffman_tables_sound(std::span<const std::uint8_t> tables) {
+  while (!tables.empty()) {
+    if (tables.size() < 17) return false;
+    std::size_t codes = 0;
+    for (std::size_t i = 1; i <= 16; ++i)
+      codes += tables[i];
+    if (codes > 256 || tables.size() < 17 + codes) return false;
+    tables = tables.subspan(17 + codes);
+  }
+  return true;
+}
+
 // stb_image fills up a file that ends early instead of refusing it. This walks over the markers
-// (T.81, annex B) and tells whether the last one, end of image, is reached.
-bool has_end_of_image(std::span<const std::uint8_t> bytes) {
-  constexpr std::uint8_t start_of_scan = 0xDA, end_of_image = 0xD9;
+// (T.81, annex B) and tells whether the last one, end of image, is reached by sound segments.
+bool is_whole(std::span<const std::uint8_t> bytes) {
   std::size_t at = 2; // behind the start-of-image marker
   bool in_scan = false;
   while (at + 1 < bytes.size()) {
@@ -47,14 +73,20 @@ bool has_end_of_image(std::span<const std::uint8_t> bytes) {
       continue;
     }
     at += 2;
-    if (marker == end_of_image) return true;
+    if (marker == k_end_of_image) return true;
     // Stuffed zeros and restart markers belong to a scan and have no length.
-    if (marker == 0x00 || marker == 0x01 || (marker >= 0xD0 && marker <= 0xD7)) continue;
+    const bool is_restart = marker >= k_first_restart && marker <= k_last_restart;
+    if (marker == 0x00 || is_restart) {
+      if (!in_scan) return false;
+      continue;
+    }
     if (at + 2 > bytes.size()) return false;
     const std::size_t length = std::size_t(bytes[at]) << 8 | bytes[at + 1];
-    if (length < 2) return false;
+    if (length < 2 || length > bytes.size() - at) return false;
+    if (marker == k_huffman_tables && !are_huffman_tables_sound(bytes.subspan(at + 2, length - 2)))
+      return false;
     at += length;
-    in_scan = marker == start_of_scan;
+    in_scan = marker == k_start_of_scan;
   }
   return false;
 }
@@ -68,7 +100,7 @@ bool is_jpeg(std::span<const std::uint8_t> bytes) {
 Result<Samples> decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (!is_jpeg(bytes)) return Error{fmt::format("{}: not a JPEG file", name)};
   if (bytes.size() > INT_MAX) return Error{fmt::format("{}: JPEG file too large", name)};
-  if (!has_end_of_image(bytes))
+  if (!is_whole(bytes))
     return Error{fmt::format("{}: the JPEG file is cut short or damaged", name)};
 
   const int size = int(bytes.size());

@@ -45,13 +45,15 @@ float auto_exposure(const Image& image, const AutoExposureOptions& options) {
     }
   if (values.empty()) return 1.0f;
   std::sort(values.begin(), values.end());
-  const auto quantile = [&](double fraction) {
-    return values[std::size_t(fraction * double(values.size() - 1))];
+  const auto from_top = [&](std::size_t count) {
+    return values[values.size() - 1 - std::min(count, values.size() - 1)];
   };
+  const double fraction = double(options.highlight_fraction);
+  const double highlights = double(from_top(std::size_t(fraction * double(image.pixel_count()))));
 
-  // Drop the background, measured against the bright part of the picture; not against its brightest
+  // Drop the background, measured against the bright part of what is lit; not against the brightest
   // pixel, which may be a single spark.
-  const float bright = quantile(0.99);
+  const float bright = from_top(std::size_t(fraction * double(values.size())));
   values.erase(values.begin(),
                std::lower_bound(values.begin(), values.end(), bright * options.black));
 
@@ -61,9 +63,11 @@ float auto_exposure(const Image& image, const AutoExposureOptions& options) {
   for (std::size_t i = margin; i < values.size() - margin; ++i)
     sum += std::log(double(values[i]));
   const double mean = std::exp(sum / double(values.size() - 2 * margin));
-  const double highlights = double(quantile(1.0 - double(options.highlight_fraction)));
-  const double exposure =
-      std::min(double(options.middle_grey) / mean, double(options.highlight) / highlights);
+
+  const double for_mean = double(options.middle_grey) / mean;
+  const double for_highlights = std::max(double(options.highlight) / highlights,
+                                         for_mean * std::exp2(-double(options.highlight_stops)));
+  const double exposure = std::min(for_mean, for_highlights);
   return float(std::clamp(exposure, double(std::numeric_limits<float>::min()),
                           double(std::numeric_limits<float>::max())));
 }

@@ -24,18 +24,21 @@ float luminance(Vec3f rgb);
 struct AutoExposureOptions {
   /// Display-linear value that the middle of the picture gets: the grey card's 18 %.
   float middle_grey = 0.18f;
-  /// This fraction of the lit pixels may become brighter than `highlight`, not more.
-  float highlight_fraction = 0.02f;
-  /// Display-linear luminance that the highlights are kept below, where the tone maps still tell
+  /// Luminance, once exposed, that the highlights are kept below: there the tone maps still tell
   /// bright from brighter.
   float highlight = 2.0f;
-  /// Pixels darker than this fraction of the brightest ones are background and do not count.
+  /// What may become brighter: this fraction of the picture's area, sparks and small lights.
+  float highlight_fraction = 0.02f;
+  /// Highlights take at most this many stops off, so that a visible light source does not leave the
+  /// scene that it lights in the dark.
+  float highlight_stops = 2.0f;
+  /// Pixels darker than this fraction of the bright ones are background and do not count.
   float black = 1e-4f;
 };
 
 /// An exposure factor for this picture, always positive and finite. It brings the geometric mean
-/// luminance, without the darkest and brightest twentieth of the lit pixels, to middle grey, but no
-/// higher than the highlights allow. Black, negative, NaN and infinite pixels do not count; a
+/// luminance, without the darkest and brightest twentieth of the lit pixels, to middle grey, or
+/// less where the highlights ask for it. Black, negative, NaN and infinite pixels do not count; a
 /// picture without any other gets 1. Scaling the picture by k scales the result by 1/k.
 float auto_exposure(const Image& image, const AutoExposureOptions& options = {});
 

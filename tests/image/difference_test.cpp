@@ -130,7 +130,9 @@ TEST_CASE("the difference map holds the differences it is named after") {
 }
 
 TEST_CASE("the difference picture shows map, scale, bad and masked pixels at any size") {
-  for (const auto& [width, height] : {std::pair(1, 1), {3, 200}, {700, 2}, {64, 48}, {1280, 720}}) {
+  const int sizes[][2] = {{1, 1}, {3, 200}, {700, 2}, {64, 48}, {1280, 720}};
+  for (const auto& size : sizes) {
+    const int width = size[0], height = size[1];
     CAPTURE(width);
     CAPTURE(height);
     Image map(width, height, 1);
@@ -147,10 +149,11 @@ TEST_CASE("the difference picture shows map, scale, bad and masked pixels at any
       CHECK(picture.width > width);
       CHECK(picture.height > height);
       CHECK(contains(picture, map_color(options.colormap, 0.0f)));
-      CHECK(contains(picture, map_color(options.colormap, is_signed ? 0.5f : 0.0f)));
+      if (width * height > 1) // the map's zeros
+        CHECK(contains(picture, map_color(options.colormap, is_signed ? 0.5f : 0.0f)));
       CHECK(contains(picture, map_color(options.colormap, 1.0f)));
-      for (float v : picture.data)
-        REQUIRE((v >= 0.0f && v <= 1.0f));
+      CHECK(std::all_of(picture.data.begin(), picture.data.end(),
+                        [](float v) { return v >= 0.0f && v <= 1.0f; }));
     }
   }
   Image map(20, 20, 1);

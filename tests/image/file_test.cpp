@@ -164,9 +164,8 @@ TEST_CASE("Radiance writing replaces what the format cannot hold") {
 TEST_CASE("Radiance reading obeys EXPOSURE, orientation and the older run-length encoding") {
   const TemporaryFolder folder;
   const auto text = [](std::string header, std::vector<std::uint8_t> pixels) {
-    std::vector<std::uint8_t> bytes(header.begin(), header.end());
-    bytes.insert(bytes.end(), pixels.begin(), pixels.end());
-    return bytes;
+    header.append(pixels.begin(), pixels.end());
+    return std::vector<std::uint8_t>(header.begin(), header.end());
   };
   const std::string path = folder.file("old.hdr");
   // Exponent 136 makes the mantissa the value. The second pixel is repeated three times.
@@ -289,6 +288,29 @@ TEST_CASE("JPEG is decoded to what was written, within its own loss") {
     CHECK(from_file->channels == 3);
     CHECK(from_file->data[3] == doctest::Approx(linear_from_srgb(got->data[4])));
   }
+}
+
+TEST_CASE("the textures of the real scenes are decoded") {
+  const std::filesystem::path folder = std::filesystem::path(OPENLTC_SHARED_DIR) / "scenes";
+  if (!std::filesystem::is_directory(folder)) {
+    MESSAGE("skipped: " << folder.string() << " is not there");
+    return;
+  }
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string path = entry.path().string();
+    if (!path.ends_with(".png") && !path.ends_with(".jpg")) continue;
+    CAPTURE(path);
+    const Result<Image> image = read(path);
+    REQUIRE(image.ok());
+    CHECK(image->pixel_count() > 0);
+    const auto [least, most] = std::minmax_element(image->data.begin(), image->data.end());
+    CHECK(*least >= 0.0f);
+    CHECK(*most <= 1.0f);
+    CHECK(*most > 0.0f);
+    ++count;
+  }
+  CHECK(count > 0);
 }
 
 TEST_CASE("the sRGB transfer function and its inverse undo each other") {

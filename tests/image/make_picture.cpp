@@ -52,6 +52,7 @@ std::vector<std::uint8_t> file_bytes(const std::string& path) {
 }
 
 void write_bytes(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  fs::remove(path); // writing into an existing file waits for the disk on some file systems
   std::ofstream out(path, std::ios::binary);
   out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
 }
