@@ -344,25 +344,21 @@ light::PolygonLight light_of(const WeldedMesh& mesh, const Plane& plane, const E
 
 } // namespace
 
-std::vector<light::PolygonLight> emissive_lights(const Mesh& mesh, const Material& material,
-                                                 const std::vector<Texture>& textures,
-                                                 std::vector<std::string>& warnings,
-                                                 const EmissiveOptions& options) {
+EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
+                               const std::vector<Texture>& textures,
+                               const EmissiveOptions& options) {
+  EmissiveLights result;
   const Vec3f emission = material.emission;
   const bool emits = emission.x > 0 || emission.y > 0 || emission.z > 0;
-  if (!emits || material.unlit || mesh.triangles.empty()) return {};
+  if (!emits || material.unlit || mesh.triangles.empty()) return result;
 
   const Extent extent = extent_of(mesh, options);
   const WeldedMesh welded = weld(mesh, extent);
-  std::vector<Plane> planes = PlaneFinder(welded, extent, options, material.double_sided).find();
-
+  result.triangles_without_area = mesh.triangles.size() - welded.triangles.size();
   const TextureRef& ref = material.emission_texture;
   const auto& tex_coord = ref.tex_coord == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
   const bool is_textured = ref.texture >= 0 && !tex_coord.empty();
-  std::vector<light::PolygonLight> lights;
-  std::size_t left_out = mesh.triangles.size() - welded.triangles.size();
-  bool is_averaged = false;
-  for (const Plane& plane : planes) {
+  for (const Plane& plane : PlaneFinder(welded, extent, options, material.double_sided).find()) {
     Vec3f radiance = emission;
     if (is_textured) {
       const Texture& texture = textures[std::size_t(ref.texture)];
@@ -370,7 +366,7 @@ std::vector<light::PolygonLight> emissive_lights(const Mesh& mesh, const Materia
       for (const std::uint32_t member : plane.members)
         add_samples(mesh, ref, texture, welded.source[member], welded.areas[member], mean);
       radiance = emission * to_float(mean.sum / mean.weight);
-      is_averaged = is_averaged || mean.highest - mean.lowest > 0.01;
+      result.is_texture_averaged = result.is_texture_averaged || mean.highest - mean.lowest > 0.01;
     }
     if (!(radiance.x > 0) && !(radiance.y > 0) && !(radiance.z > 0)) continue; // dark by texture
     light::PolygonLight light = light_of(welded, plane, extent);
@@ -378,31 +374,29 @@ std::vector<light::PolygonLight> emissive_lights(const Mesh& mesh, const Materia
     light.radiance = radiance;
     light.two_sided = material.double_sided;
     if (light::validate(light).ok())
-      lights.push_back(std::move(light));
+      result.lights.push_back(std::move(light));
     else
-      left_out += plane.triangles.size();
+      result.triangles_without_area += plane.triangles.size();
   }
-  if (is_averaged)
-    warnings.push_back(
-        fmt::format("mesh \"{}\": its emission texture is averaged over each plane for "
-                    "the light that it gives; the camera sees it in full",
-                    mesh.name));
-  if (left_out != 0)
-    warnings.push_back(fmt::format("mesh \"{}\": {} emissive triangles are too small to give light",
-                                   mesh.name, left_out));
-  if (lights.size() > k_many_lights)
-    warnings.push_back(
-        fmt::format("mesh \"{}\": its curved emissive surface makes {} polygon lights, "
-                    "which takes long to render; fewer facets help",
-                    mesh.name, lights.size()));
-  return lights;
+  return result;
 }
 
-void add_emissive_lights(Scene& scene) {
+void add_emissive_lights(Scene& scene, Warnings& warnings) {
   for (const Mesh& mesh : scene.meshes) {
-    auto lights = emissive_lights(mesh, scene.materials[std::size_t(mesh.material)], scene.textures,
-                                  scene.warnings);
-    for (auto& light : lights)
+    EmissiveLights found =
+        emissive_lights(mesh, scene.materials[std::size_t(mesh.material)], scene.textures);
+    if (found.is_texture_averaged)
+      warnings.add_for_mesh(mesh.name,
+                            "the emission texture is averaged for the light that it gives "
+                            "to others; the camera sees it in full");
+    if (found.triangles_without_area != 0)
+      warnings.add_for_mesh(mesh.name, "emissive triangles that are too small give no light");
+    if (found.lights.size() > k_many_lights)
+      warnings.add_for_mesh(
+          mesh.name, fmt::format("the curved emissive surface makes {} polygon lights, which "
+                                 "takes long to render; fewer facets help",
+                                 found.lights.size()));
+    for (auto& light : found.lights)
       scene.lights.polygons.push_back(std::move(light));
   }
 }

@@ -6,8 +6,9 @@
 #pragma once
 
 #include "openltc/scene/scene.h"
+#include "openltc/scene/warnings.h"
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
 namespace openltc::scene {
@@ -19,16 +20,22 @@ struct EmissiveOptions {
   double plane_angle_rad = 0.01745; ///< and whose normal is this close to the plane's (1 degree)
 };
 
+/// What became of an emissive mesh.
+struct EmissiveLights {
+  std::vector<light::PolygonLight> lights;
+  bool is_texture_averaged = false;       ///< its emission texture is not uniform
+  std::size_t triangles_without_area = 0; ///< left out
+};
+
 /// The polygon lights of `mesh`: one for each plane in which emissive triangles lie, with as many
 /// outlines as the plane has islands and holes. Their radiance is material.emission times the mean
 /// of the emission texture over the plane's surface. One-sided unless the material is double-sided.
-/// Appends to `warnings` what the user should know. Empty when nothing is emitted.
-std::vector<light::PolygonLight> emissive_lights(const Mesh& mesh, const Material& material,
-                                                 const std::vector<Texture>& textures,
-                                                 std::vector<std::string>& warnings,
-                                                 const EmissiveOptions& options = {});
+/// Empty when nothing is emitted.
+EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
+                               const std::vector<Texture>& textures,
+                               const EmissiveOptions& options = {});
 
 /// Adds the lights of all emissive meshes to scene.lights. The meshes stay: the camera sees them.
-void add_emissive_lights(Scene& scene);
+void add_emissive_lights(Scene& scene, Warnings& warnings);
 
 } // namespace openltc::scene

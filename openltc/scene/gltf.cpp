@@ -45,15 +45,16 @@ Scene import(std::span<const std::uint8_t> bytes, const std::string& base_dir) {
   gltf::read_nodes(document, scene);
   if (scene.materials.empty()) scene.materials.push_back({});
   if (document.skin_count != 0)
-    document.warn(
+    document.warnings.add(
         "skinned meshes are shown in the pose in which they were bound; bones do not bend "
         "them yet");
   if (document.animation_count != 0)
-    document.warn("animations are not played; the rest pose is shown");
-  if (scene.meshes.empty()) document.warn("there is nothing to see: the file has no triangles");
+    document.warnings.add("animations are not played; the rest pose is shown");
+  if (scene.meshes.empty())
+    document.warnings.add("there is nothing to see: the file has no triangles");
   scene.bounds = bounds_of(scene.meshes);
-  scene.warnings = std::move(document.warnings);
-  add_emissive_lights(scene);
+  add_emissive_lights(scene, document.warnings);
+  scene.warnings = document.warnings.lines();
   return scene;
 }
 

@@ -26,7 +26,6 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace openltc::scene::gltf {
@@ -199,11 +198,6 @@ void parse_with_tinygltf(const json& root, tinygltf::Model& model) {
 
 Document::Document() : model(std::make_unique<tinygltf::Model>()) {}
 Document::~Document() = default;
-
-void Document::warn(const std::string& message) {
-  if (std::find(warnings.begin(), warnings.end(), message) == warnings.end())
-    warnings.push_back(message);
-}
 
 void read_document(const Container& container, const std::string& base_dir, Document& document) {
   json root = parse_json(container.json);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/scene/gltf_container.h"
+#include "openltc/scene/warnings.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -48,10 +49,7 @@ struct Document {
   std::vector<ImageSource> images;
   std::size_t skin_count = 0;
   std::size_t animation_count = 0;
-  std::vector<std::string> warnings;
-
-  /// Adds a warning unless it is there already.
-  void warn(const std::string& message);
+  Warnings warnings;
 
   std::vector<std::vector<std::uint8_t>> storage; ///< what the views point into
 };

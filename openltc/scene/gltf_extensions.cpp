@@ -85,7 +85,7 @@ void check_extensions(const std::vector<std::string>& used,
     if (is_supported(name) || contains(required, name)) continue;
     const auto known = std::find_if(k_unsupported.begin(), k_unsupported.end(),
                                     [&](const Meaning& m) { return m.extension == name; });
-    document.warn(
+    document.warnings.add(
         fmt::format("{} is not supported yet: {}", name.substr(0, 60),
                     known == k_unsupported.end() ? "what it adds is left out" : known->without));
   }

@@ -42,7 +42,7 @@ Frame rotation_of(const Transform& to_world, const std::string& what, Document& 
   Vec3d right = cross(up_hint, back);
   const double right_length = length(right);
   if (!(back_length > 0) || !(right_length > 0) || !std::isfinite(right_length)) {
-    document.warn(
+    document.warnings.add(
         fmt::format("{}: its node is scaled to nothing, so that it has no direction; it is "
                     "taken as not rotated",
                     what));
@@ -66,7 +66,7 @@ std::string first_of(const std::string& a, const std::string& b, const std::stri
 
 double not_negative(double value, const std::string& field, Document& document) {
   if (value >= 0) return value;
-  document.warn(fmt::format("{}: {} is negative; 0 is used", field, value));
+  document.warnings.add(fmt::format("{}: {} is negative; 0 is used", field, value));
   return 0;
 }
 
@@ -99,9 +99,10 @@ light::PunctualLight read_punctual_light(Document& document, int index, const Tr
   if (to.type == light::PunctualType::spot) {
     double inner = from.spot.innerConeAngle, outer = from.spot.outerConeAngle;
     if (!(outer > 0) || outer > k_pi / 2 || inner < 0 || inner > outer) {
-      document.warn(fmt::format("{}.spot: the cone angles {} and {} are not 0 <= inner <= outer <= "
-                                "pi/2; the nearest usable ones are used",
-                                field, inner, outer));
+      document.warnings.add(
+          fmt::format("{}.spot: the cone angles {} and {} are not 0 <= inner <= outer <= "
+                      "pi/2; the nearest usable ones are used",
+                      field, inner, outer));
       outer = std::clamp(outer, 1e-3, k_pi / 2);
       inner = std::clamp(inner, 0.0, outer);
     }

@@ -120,21 +120,21 @@ private:
 
   float clamped(double value, const std::string& field) {
     if (value >= 0 && value <= 1) return float(value);
-    document_.warn(
+    document_.warnings.add(
         fmt::format("{}: {} is outside 0 to 1; the nearest value is used", field, value));
     return float(std::clamp(value, 0.0, 1.0));
   }
 
   float not_negative(double value, const std::string& field) {
     if (value >= 0) return float(std::min(value, 1e30));
-    document_.warn(fmt::format("{}: {} is negative; 0 is used", field, value));
+    document_.warnings.add(fmt::format("{}: {} is negative; 0 is used", field, value));
     return 0;
   }
 
   // 0 is the extension's way of saying "reflects everything".
   float checked_ior(double ior) {
     if (ior == 0 || ior >= 1) return float(ior);
-    document_.warn(
+    document_.warnings.add(
         fmt::format("{}.extensions.KHR_materials_ior.ior: {} is below 1; 1 is used", field_, ior));
     return 1;
   }
@@ -162,7 +162,9 @@ private:
     ref.tex_coord = tex_coord;
     if (transform && transform->IsObject()) {
       ref.tex_coord = int(number(*transform, "texCoord", tex_coord));
-      // uv' = T R S uv, the extension's matrices multiplied out
+      // uv' = T R S uv. The turn is counter-clockwise as one sees it with v pointing down, which is
+      // what the extension's text, its example and Khronos' test model ask for; its GLSL sample,
+      // read column by column, turns the other way.
       const double angle_rad = number(*transform, "rotation", 0);
       const double c = std::cos(angle_rad), s = std::sin(angle_rad);
       const double sx = number(*transform, "scale", 0, 1), sy = number(*transform, "scale", 1, 1);
@@ -171,7 +173,7 @@ private:
       ref.uv_row1 = {float(-s * sx), float(c * sy), float(oy)};
     }
     if (ref.tex_coord > 1) {
-      document_.warn(
+      document_.warnings.add(
           fmt::format("{}: it uses TEXCOORD_{}; only the first two sets are supported, the "
                       "texture is left out",
                       field_, ref.tex_coord));

@@ -40,7 +40,7 @@ Transform local_transform(const tinygltf::Node& node, const std::string& field,
       t.column[c] = Vec3d(m[4 * c], m[4 * c + 1], m[4 * c + 2]);
     const bool is_affine = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
     if (!is_affine)
-      document.warn(
+      document.warnings.add(
           fmt::format("{}.matrix: its last row is not (0, 0, 0, 1); it is ignored", field));
     return t;
   }
@@ -55,7 +55,8 @@ Transform local_transform(const tinygltf::Node& node, const std::string& field,
       t.column[1] = Vec3d(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));
       t.column[2] = Vec3d(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
     } else {
-      document.warn(fmt::format("{}.rotation: it has no length; the node is not rotated", field));
+      document.warnings.add(
+          fmt::format("{}.rotation: it has no length; the node is not rotated", field));
     }
   }
   if (node.scale.size() == 3)
@@ -141,6 +142,10 @@ public:
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         stack.push_back({*child, next.depth + 1, to_world});
     }
+    if (scene_.meshes.empty() && !first_without_area_.empty())
+      fail(first_without_area_,
+           "none of the scene's triangles has an area, so that there is nothing "
+           "to see; check positions, indices and node scales");
   }
 
 private:
@@ -204,7 +209,10 @@ private:
     const auto& primitives = model_.meshes[mesh_index].primitives;
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       Mesh mesh = local_mesh(mesh_index, p);
-      if (mesh.triangles.empty()) continue;
+      if (mesh.triangles.empty()) {
+        if (!mesh.positions.empty()) note_without_area(mesh_index, p);
+        continue;
+      }
       triangle_count_ += mesh.triangles.size();
       if (triangle_count_ > k_max_triangles)
         fail(field, fmt::format("the scene has more than {} million triangles; reduce it",
@@ -212,12 +220,18 @@ private:
       if (!node.name.empty()) mesh.name = node.name;
       apply_transform(mesh, to_world, field);
       if (mesh.triangles.empty()) {
-        document_.warn(fmt::format(
-            "mesh \"{}\": its node's scale leaves it no area; it is left out", mesh.name));
+        document_.warnings.add_for_mesh(mesh.name,
+                                        "its node's scale leaves it no area; it is left out");
+        note_without_area(mesh_index, p);
         continue;
       }
       scene_.meshes.push_back(std::move(mesh));
     }
+  }
+
+  void note_without_area(std::size_t mesh_index, std::size_t primitive) {
+    if (first_without_area_.empty())
+      first_without_area_ = fmt::format("meshes[{}].primitives[{}]", mesh_index, primitive);
   }
 
   // Read once, copied for every instance.
@@ -249,6 +263,7 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, Mesh> local_meshes_;
   std::size_t triangle_count_ = 0;
   int default_material_ = -1;
+  std::string first_without_area_;
 };
 
 } // namespace

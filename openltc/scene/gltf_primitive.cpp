@@ -58,16 +58,14 @@ public:
     mesh.name = name_;
     const int mode = primitive_.mode;
     if (mode < TINYGLTF_MODE_TRIANGLES) {
-      document_.warn(fmt::format("mesh \"{}\": points and lines are not drawn", name_));
+      warn("points and lines are not drawn");
       return mesh;
     }
     if (!primitive_.targets.empty())
-      document_.warn(fmt::format("mesh \"{}\": morph targets are not applied; it is shown in its "
-                                 "base shape",
-                                 name_));
+      warn("morph targets are not applied; it is shown in its base shape");
     decode_draco_part();
     if (!has("POSITION")) {
-      document_.warn(fmt::format("mesh \"{}\": it has no positions and is left out", name_));
+      warn("without positions it is left out");
       return mesh;
     }
     read_positions(mesh);
@@ -76,18 +74,13 @@ public:
     const std::size_t dropped = drop_degenerate_triangles(mesh);
     // Strips repeat corners on purpose.
     if (dropped != 0 && mode == TINYGLTF_MODE_TRIANGLES)
-      document_.warn(fmt::format("mesh \"{}\": {} without area {} left out", name_,
-                                 dropped == 1 ? "1 triangle" : fmt::format("{} triangles", dropped),
-                                 dropped == 1 ? "is" : "are"));
+      warn("triangles without area are left out");
     if (mesh.triangles.empty()) return mesh;
 
     if (mesh.normals.empty()) {
       make_flat_normals(mesh);
-    } else if (const std::size_t repaired = repair_normals(mesh)) {
-      document_.warn(
-          fmt::format("mesh \"{}\": {} of {} normals are unusable and were computed from "
-                      "the triangles",
-                      name_, repaired, mesh.normals.size()));
+    } else if (repair_normals(mesh) != 0) {
+      warn("some normals are unusable and were computed from the triangles");
     }
     provide_tex_coords(mesh, needs);
     if (needs.tangent_tex_coord < 0)
@@ -98,6 +91,8 @@ public:
   }
 
 private:
+  void warn(const std::string& what) { document_.warnings.add_for_mesh(name_, what); }
+
   void decode_draco_part() {
     const auto found = primitive_.extensions.find("KHR_draco_mesh_compression");
     if (found == primitive_.extensions.end()) return;
@@ -206,10 +201,8 @@ private:
         corners[i] = std::uint32_t(i);
     }
     if (mode == TINYGLTF_MODE_TRIANGLES && corners.size() % 3 != 0)
-      document_.warn(
-          fmt::format("mesh \"{}\": the number of corners is not a multiple of three; the "
-                      "last triangle is incomplete and left out",
-                      name_));
+      warn("the number of corners is not a multiple of three; the last triangle is incomplete and "
+           "left out");
     mesh.triangles = assemble(corners, mode);
     check_corners(mesh);
   }
@@ -239,11 +232,7 @@ private:
       is_broken = is_broken || !is_usable;
       out[i] = is_usable ? uv : Vec2f(0, 0);
     }
-    if (is_broken)
-      document_.warn(
-          fmt::format("mesh \"{}\": {} holds values that are not numbers; its textures may "
-                      "look wrong",
-                      name_, name));
+    if (is_broken) warn(name + " holds values that are not numbers; its textures may look wrong");
   }
 
   void read_optional(Mesh& mesh) {
@@ -287,10 +276,9 @@ private:
     for (int set = 0; set < 2; ++set) {
       auto& tex_coord = set == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
       if (!needs.tex_coord[set] || !tex_coord.empty()) continue;
-      document_.warn(
-          fmt::format("mesh \"{}\": its material has a texture for TEXCOORD_{}, which the "
-                      "mesh lacks; the texture's first corner is used everywhere",
-                      name_, set));
+      warn(fmt::format("its material has a texture for TEXCOORD_{}, which the mesh lacks; the "
+                       "texture's first corner is used everywhere",
+                       set));
       tex_coord.assign(mesh.positions.size(), Vec2f(0, 0));
     }
   }
@@ -303,10 +291,7 @@ private:
       const Vec3f v = Vec3f(t.x, t.y, t.z) - n * dot(n, Vec3f(t.x, t.y, t.z));
       const float l = length(v);
       if (!(l > 1e-6f) || !std::isfinite(l)) {
-        document_.warn(
-            fmt::format("mesh \"{}\": some of its tangents are unusable; all were computed "
-                        "from the texture coordinates",
-                        name_));
+        warn("some tangents are unusable; all were computed from the texture coordinates");
         mesh.tangents.clear();
         return false;
       }
