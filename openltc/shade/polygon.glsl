@@ -33,12 +33,12 @@
 //   Vec3 polygon_normal(Polygon)                 that frame; unit normal to the emitting side
 //   bool polygon_two_sided(Polygon)
 
-/// theta / sin(theta) from x = cos(theta), for 0 <= theta < pi.
+/// theta / sin(theta) from x = cos(theta) and sin2 = sin(theta)^2, for 0 <= theta < pi.
 ///
-/// For x >= 0 a rational minimax fit of degree 3/3, relative error 1.0e-9; for x < 0 from
-/// theta = pi - theta', which is exact. Grows without bound towards x = -1 and is cut off there at
-/// sin = 1e-3.5, where single precision knows the direction of the edge no more.
-FN Real theta_over_sin(Real x) {
+/// For x >= 0 a rational minimax fit of degree 3/3, relative error 1.1e-9; for x < 0 from
+/// theta = pi - theta', which is exact. It grows without bound towards x = -1, where 1 - x^2 has no
+/// digits left; so the caller, who knows the vectors, passes sin2 as well.
+FN Real theta_over_sin(Real x, Real sin2) {
   Real y = min(abs(x), Real(1.0));
   Real p = Real(1.5707963252152057) +
            y * (Real(1.638642066993385) +
@@ -46,24 +46,26 @@ FN Real theta_over_sin(Real x) {
   Real q = Real(1.0) + y * (Real(1.679811571269012) +
                             y * (Real(0.7959248032398663) + y * Real(0.09409187287776444)));
   Real v = p / q;
-  Real inv_sin = inversesqrt(max((Real(1.0) - y) * (Real(1.0) + y), Real(1.0e-7)));
+  Real inv_sin = inversesqrt(max(sin2, Real(k_tiny)));
   return select(x < Real(0.0), k_pi * inv_sin - v, v);
 }
 
 /// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
-/// itself so that the cross product of a small, far edge does not cancel.
+/// itself so that the cross product of a small, far edge does not cancel. Never longer than pi: a
+/// vector over its length, times an angle.
 FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {
   Real inv_a = inversesqrt(max(dot(a, a), Real(k_tiny)));
   Real inv_b = inversesqrt(max(dot(b, b), Real(k_tiny)));
   Real x = dot(a, b) * inv_a * inv_b;
-  return cross(a, d) * (inv_a * inv_b * theta_over_sin(x));
+  Vec3 c = cross(a * inv_a, d * inv_b);
+  return c * theta_over_sin(x, dot(c, c));
 }
 
 /// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
 FN Vec3 apex_term(Vec3 p, Real s) {
-  Real inv_p = inversesqrt(max(dot(p, p), Real(k_tiny)));
-  Real weight = s * inv_p * theta_over_sin(s * p.y * inv_p);
-  return Vec3(-weight * p.z, Real(0.0), weight * p.x);
+  Vec3 u = p * inversesqrt(max(dot(p, p), Real(k_tiny)));
+  Real weight = s * theta_over_sin(s * u.y, u.x * u.x + u.z * u.z);
+  return Vec3(-weight * u.z, Real(0.0), weight * u.x);
 }
 
 /// One edge of the outline, clipped to the wedge and closed towards the apex.

@@ -176,4 +176,41 @@ bool inside_by_winding(const PolygonView& polygon, Vec2d point) {
   return std::abs(angle) > f64::k_pi;
 }
 
+Setting random_setting(Random& random, double alpha) {
+  Setting s;
+  const Vec3d n = random.sphere();
+  Vec3d wo = random.sphere();
+  if (dot(wo, n) < 0) wo = -wo;
+  s.frame = f64::shading_frame(n, wo);
+  const double cos_theta = dot(wo, n);
+  const Vec4d abcd(cos_theta + random.uniform(0, 0.6), random.uniform(-1, 0.2),
+                   random.uniform(0, 1.2), 0.1 + 2 * cos_theta);
+  s.lobe = f64::lobe_from_mirror(abcd, alpha, cos_theta);
+  s.position = Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  return s;
+}
+
+std::vector<Ring> shape(int kind) {
+  switch (kind) {
+  case 0:
+    return {rectangle(1.5, 0.8)};
+  case 1:
+    return {l_shape(1.6)};
+  case 2:
+    return {star(5, 1.0, 0.4)};
+  case 3:
+    return {rectangle(1.8, 1.6), reversed(rectangle(0.7, 0.5, {0.3, 0.2}))};
+  default:
+    return {rectangle(0.6, 0.6, {-0.6, 0}), star(3, 0.5, 0.2)};
+  }
+}
+
+Plane random_plane(Random& random, Vec3d position) {
+  const f64::Frame f = f64::shading_frame(random.sphere(), random.sphere());
+  Vec3d origin = position + random.sphere() * random.uniform(0.4, 2.0);
+  // Its emitting side, t1 x t2 = n, towards the position.
+  if (dot(origin - position, f.n) > 0) return {origin, f.t2, f.t1};
+  return {origin, f.t1, f.t2};
+}
+
 } // namespace openltc::testing

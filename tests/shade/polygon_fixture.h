@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/target/shade_f64.h"
+#include "random.h"
 
 #include <vector>
 
@@ -44,5 +45,23 @@ double brute_force_integral(const PolygonView& polygon, Vec3d position, const f6
 /// Whether a point of the plane lies inside the outline: sum of the signed angles that its edges
 /// subtend, 2 pi inside and 0 outside.
 bool inside_by_winding(const PolygonView& polygon, Vec2d point);
+
+/// A shading point: frame and position at random, and a lobe of the kind that fits give.
+struct Setting {
+  f64::Frame frame;
+  f64::Lobe lobe;
+  Vec3d position;
+};
+Setting random_setting(Random& random, double alpha);
+
+/// One of five shapes about 1.5 across, kind 0..4: rectangle, L, star, rectangle with a hole, two
+/// separate outlines.
+std::vector<Ring> shape(int kind);
+
+/// A plane near the position, facing it; near enough for many outlines to straddle a horizon.
+struct Plane {
+  Vec3d origin, u, v;
+};
+Plane random_plane(Random& random, Vec3d position);
 
 } // namespace openltc::testing

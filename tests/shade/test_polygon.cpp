@@ -13,62 +13,14 @@
 
 using namespace openltc;
 using testing::brute_force_integral;
+using testing::Plane;
 using testing::Random;
+using testing::random_plane;
+using testing::random_setting;
 using testing::Ring;
+using testing::Setting;
+using testing::shape;
 using testing::TestPolygon;
-
-namespace {
-
-struct Setting {
-  f64::Frame frame;
-  f64::Lobe lobe;
-  Vec3d position;
-};
-
-// A frame at random and a lobe of the kind that fits give, width `alpha`.
-Setting random_setting(Random& random, double alpha) {
-  Setting s;
-  const Vec3d n = random.sphere();
-  Vec3d wo = random.sphere();
-  if (dot(wo, n) < 0) wo = -wo;
-  s.frame = f64::shading_frame(n, wo);
-  const double cos_theta = dot(wo, n);
-  const Vec4d abcd(cos_theta + random.uniform(0, 0.6), random.uniform(-1, 0.2),
-                   random.uniform(0, 1.2), 0.1 + 2 * cos_theta);
-  s.lobe = f64::lobe_from_mirror(abcd, alpha, cos_theta);
-  s.position = Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-  return s;
-}
-
-std::vector<Ring> shape(int kind) {
-  using namespace testing;
-  switch (kind) {
-  case 0:
-    return {rectangle(1.5, 0.8)};
-  case 1:
-    return {l_shape(1.6)};
-  case 2:
-    return {star(5, 1.0, 0.4)};
-  case 3:
-    return {rectangle(1.8, 1.6), reversed(rectangle(0.7, 0.5, {0.3, 0.2}))};
-  default:
-    return {rectangle(0.6, 0.6, {-0.6, 0}), star(3, 0.5, 0.2)};
-  }
-}
-
-// A plane at random near the position, so that many outlines straddle a horizon.
-struct Plane {
-  Vec3d origin, u, v;
-};
-Plane random_plane(Random& random, Vec3d position) {
-  const f64::Frame f = f64::shading_frame(random.sphere(), random.sphere());
-  Vec3d origin = position + random.sphere() * random.uniform(0.4, 2.0);
-  // Its emitting side, t1 x t2 = n, towards the position.
-  if (dot(origin - position, f.n) > 0) return {origin, f.t2, f.t1};
-  return {origin, f.t1, f.t2};
-}
-
-} // namespace
 
 TEST_CASE("polygon integrals equal brute-force quadrature, both horizons honoured") {
   Random random(1);
@@ -129,5 +81,138 @@ TEST_CASE("vertices exactly on the horizon do not open the outline") {
       CHECK(integral.diffuse == doctest::Approx(diffuse).epsilon(1e-6));
       CHECK(integral.specular == doctest::Approx(specular).epsilon(1e-6));
     }
+  }
+}
+
+TEST_CASE("the parts of a polygon add up to the whole") {
+  Random random(2);
+  for (int i = 0; i < 500; ++i) {
+    const Setting s = random_setting(random, random.log_uniform(0.02, 1.0));
+    const Plane p = random_plane(random, s.position);
+    // Cut a rectangle at x = cut, and an L into a foot and a leg.
+    const double cut = random.uniform(-0.7, 0.7);
+    const TestPolygon whole({testing::rectangle(1.5, 0.8)}, p.origin, p.u, p.v);
+    const TestPolygon left({testing::rectangle(cut + 0.75, 0.8, {(cut - 0.75) / 2, 0})}, p.origin,
+                           p.u, p.v);
+    const TestPolygon right({testing::rectangle(0.75 - cut, 0.8, {(cut + 0.75) / 2, 0})}, p.origin,
+                            p.u, p.v);
+    const f64::PolygonIntegral w =
+        f64::integrate_polygon(whole.view(), s.position, s.frame, s.lobe);
+    const f64::PolygonIntegral l = f64::integrate_polygon(left.view(), s.position, s.frame, s.lobe);
+    const f64::PolygonIntegral r =
+        f64::integrate_polygon(right.view(), s.position, s.frame, s.lobe);
+    // Corners are single precision; a cut of the plane moves by 1e-7.
+    CHECK(l.diffuse + r.diffuse == doctest::Approx(w.diffuse).epsilon(1e-6));
+    CHECK(l.specular + r.specular == doctest::Approx(w.specular).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a hole takes away what its outline would give") {
+  Random random(3);
+  const Ring outer = testing::rectangle(1.8, 1.6), inner = testing::star(5, 0.6, 0.3);
+  for (int i = 0; i < 200; ++i) {
+    const Setting s = random_setting(random, random.log_uniform(0.02, 1.0));
+    const Plane p = random_plane(random, s.position);
+    const TestPolygon both({outer, testing::reversed(inner)}, p.origin, p.u, p.v);
+    const TestPolygon full({outer}, p.origin, p.u, p.v);
+    const TestPolygon hole({inner}, p.origin, p.u, p.v);
+    const f64::PolygonIntegral b = f64::integrate_polygon(both.view(), s.position, s.frame, s.lobe);
+    const f64::PolygonIntegral f = f64::integrate_polygon(full.view(), s.position, s.frame, s.lobe);
+    const f64::PolygonIntegral h = f64::integrate_polygon(hole.view(), s.position, s.frame, s.lobe);
+    CHECK(b.diffuse == doctest::Approx(f.diffuse - h.diffuse).epsilon(1e-9));
+    CHECK(b.specular == doctest::Approx(f.specular - h.specular).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("turning everything together changes nothing; turning the light about n keeps diffuse") {
+  Random random(4);
+  for (int i = 0; i < 300; ++i) {
+    const Setting s = random_setting(random, random.log_uniform(0.05, 1.0));
+    const Plane p = random_plane(random, s.position);
+    const TestPolygon polygon(shape(i % 5), p.origin, p.u, p.v);
+    const f64::PolygonIntegral before =
+        f64::integrate_polygon(polygon.view(), s.position, s.frame, s.lobe);
+
+    // A rotation given by an orthonormal basis.
+    const f64::Frame basis = f64::shading_frame(random.sphere(), random.sphere());
+    const auto turn = [&](Vec3d v) { return f64::to_world(basis, v); };
+    const f64::Frame frame = {turn(s.frame.t1), turn(s.frame.t2), turn(s.frame.n)};
+    const TestPolygon turned(shape(i % 5), turn(p.origin), turn(p.u), turn(p.v));
+    const f64::PolygonIntegral after =
+        f64::integrate_polygon(turned.view(), turn(s.position), frame, s.lobe);
+    CHECK(after.diffuse == doctest::Approx(before.diffuse).epsilon(2e-6));
+    CHECK(after.specular == doctest::Approx(before.specular).epsilon(1e-5));
+
+    const double angle = random.uniform(0, 6.28);
+    const f64::Frame about_n = {s.frame.t1 * std::cos(angle) + s.frame.t2 * std::sin(angle),
+                                s.frame.t2 * std::cos(angle) - s.frame.t1 * std::sin(angle),
+                                s.frame.n};
+    const f64::PolygonIntegral other =
+        f64::integrate_polygon(polygon.view(), s.position, about_n, f64::cosine_lobe());
+    CHECK(other.diffuse == doctest::Approx(before.diffuse).epsilon(2e-8));
+    CHECK(other.specular == doctest::Approx(before.diffuse).epsilon(2e-8));
+  }
+}
+
+TEST_CASE("a polygon shines to its front, a two-sided one to both sides alike") {
+  Random random(5);
+  for (int i = 0; i < 300; ++i) {
+    const Setting s = random_setting(random, random.log_uniform(0.05, 1.0));
+    const Plane p = random_plane(random, s.position);
+    const TestPolygon front(shape(i % 5), p.origin, p.u, p.v, false);
+    const TestPolygon both(shape(i % 5), p.origin, p.u, p.v, true);
+    // The same outlines seen from behind: mirrored in u, with the normal reversed.
+    std::vector<Ring> mirrored = shape(i % 5);
+    for (Ring& ring : mirrored) {
+      for (Vec2d& x : ring)
+        x.x = -x.x;
+      ring = testing::reversed(ring);
+    }
+    const TestPolygon back(mirrored, p.origin, p.u * -1.0, p.v, false);
+    const TestPolygon back_both(mirrored, p.origin, p.u * -1.0, p.v, true);
+    const auto integral = [&](const TestPolygon& polygon) {
+      return f64::integrate_polygon(polygon.view(), s.position, s.frame, s.lobe);
+    };
+    CHECK(integral(back).diffuse == 0);
+    CHECK(integral(back).specular == 0);
+    CHECK(integral(both).specular == integral(front).specular);
+    CHECK(integral(back_both).diffuse == doctest::Approx(integral(front).diffuse).epsilon(1e-9));
+    CHECK(integral(back_both).specular == doctest::Approx(integral(front).specular).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a polygon below the surface gives exactly nothing, whatever the lobe") {
+  Random random(6);
+  for (int i = 0; i < 1000; ++i) {
+    Setting s = random_setting(random, random.log_uniform(1e-4, 1.0));
+    const Plane p = random_plane(random, s.position);
+    const TestPolygon polygon(shape(i % 5), p.origin, p.u, p.v, true);
+    // Lift the point along its normal until every corner lies below.
+    double highest = -1e9;
+    for (int k = 0; k < polygon.view().point_count; ++k)
+      highest = std::max(highest, dot(f64::polygon_point(polygon.view(), k), s.frame.n));
+    s.position += s.frame.n * (highest - dot(s.position, s.frame.n) + random.log_uniform(1e-3, 1));
+    const f64::PolygonIntegral d =
+        f64::integrate_polygon(polygon.view(), s.position, s.frame, s.lobe);
+    CHECK(d.diffuse == 0);
+    CHECK(d.specular == 0);
+  }
+}
+
+TEST_CASE("a huge ceiling covers the whole hemisphere") {
+  Random random(7);
+  for (int i = 0; i < 50; ++i) {
+    Setting s = random_setting(random, random.log_uniform(0.05, 1.0));
+    s.position = Vec3d(0, 0, 0);
+    const Vec3d origin = s.frame.n * 1.0;
+    const TestPolygon ceiling({testing::rectangle(2e4, 2e4)}, origin, s.frame.t2, s.frame.t1);
+    const f64::PolygonIntegral d =
+        f64::integrate_polygon(ceiling.view(), s.position, s.frame, s.lobe);
+    // The rest of the hemisphere: everything within 1e-4 of the horizon.
+    CHECK(d.diffuse == doctest::Approx(1).epsilon(1e-6));
+    // The lobe's share above the surface, from its definition in cosine space (fit/lobe_fit.cpp).
+    const double above =
+        0.5 * (1 + s.lobe.m00 / std::sqrt(s.lobe.m00 * s.lobe.m00 + s.lobe.m20 * s.lobe.m20));
+    CHECK(d.specular == doctest::Approx(above).epsilon(2e-3));
   }
 }
