@@ -16,8 +16,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -39,7 +41,7 @@ struct RenderArguments {
   LightChoice lights = LightChoice::automatic;
   std::string camera;
   std::string size;
-  std::string background = "0";
+  std::string background;
   std::string table;
   std::optional<int> samples;
   int shadow_samples = 16;
@@ -55,6 +57,9 @@ struct RenderArguments {
 
 constexpr int k_default_samples_ltc = 8;
 constexpr int k_default_samples_reference = 256;
+// Behind what a studio rig lights: dark enough to set it off, bright enough to show dark outlines.
+// Relative to a white card of 1 nit.
+constexpr float k_studio_background_nits = 0.03f;
 
 int fail(const std::string& message, ExitCode code = k_exit_failed) {
   fmt::print(stderr, "openltc render: {}\n", message);
@@ -99,7 +104,7 @@ bool parse_size(const std::string& text, int& width, int& height) {
 Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string& choice,
                                     const std::string& file, float aspect) {
   if (choice == "frame" || (choice.empty() && scene.cameras.empty()))
-    return scene::frame_scene(scene.bounds, aspect);
+    return scene::frame_scene(scene, aspect);
   if (choice.empty()) return scene.cameras[0];
   for (const scene::Camera& camera : scene.cameras)
     if (camera.name == choice) return camera;
@@ -113,17 +118,41 @@ Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string
   return Error{fmt::format("{}: --camera {}: no such camera; there are {}", file, choice, known)};
 }
 
-void choose_lights(scene::Scene& scene, LightChoice choice, const scene::Camera& camera) {
-  if (choice == LightChoice::automatic)
-    choice = scene.lights.empty() ? LightChoice::studio : LightChoice::scene;
-  if (choice == LightChoice::scene) return;
-  light::Lights studio = scene::studio_lights(scene.bounds, camera);
-  if (choice == LightChoice::studio) {
-    scene.lights = std::move(studio);
-    return;
+/// Whether the only lights are surfaces that emit no more than glTF's plain emissive factor: labels
+/// and lamps drawn for the eye, too dim to see anything else by.
+bool only_glows(const light::Lights& lights) {
+  if (!lights.punctual.empty() || lights.polygons.empty()) return false;
+  for (const light::PolygonLight& light : lights.polygons)
+    if (std::max({light.radiance.x, light.radiance.y, light.radiance.z}) > 1.0f) return false;
+  return true;
+}
+
+/// Leaves in `scene` the lights that `choice` asks for, and in `choice` what "automatic" came to.
+/// Returns what to tell the user, if anything.
+std::string choose_lights(scene::Scene& scene, LightChoice& choice, const scene::Camera& camera) {
+  std::string message;
+  if (choice == LightChoice::automatic) {
+    choice = LightChoice::scene;
+    if (scene.lights.empty()) {
+      choice = LightChoice::studio;
+      message = "no lights in the file: lit by a studio rig of three soft boxes (--lights)";
+    } else if (only_glows(scene.lights)) {
+      choice = LightChoice::both;
+      message = "the only lights in the file are surfaces that emit 1 nit or less: a studio rig is "
+                "added (--lights scene leaves it out)";
+    }
   }
+  if (choice == LightChoice::scene) return message;
+  if (choice == LightChoice::studio) scene.lights = {};
+  // Beside other lights the rig is as bright as they are.
+  const double level = only_glows(scene.lights)
+                           ? 1.0
+                           : scene::white_level_nits(scene.lights, scene.bounds);
+  const light::Lights studio =
+      scene::studio_lights(scene.bounds, camera, level > 0 && std::isfinite(level) ? level : 1.0);
   auto& polygons = scene.lights.polygons;
   polygons.insert(polygons.end(), studio.polygons.begin(), studio.polygons.end());
+  return message;
 }
 
 int run_render(const RenderArguments& arguments) {
@@ -132,12 +161,15 @@ int run_render(const RenderArguments& arguments) {
   if (size_given && !parse_size(arguments.size, options.width, options.height))
     return fail(fmt::format("--size {}: write WIDTHxHEIGHT, e.g. 1280x720", arguments.size),
                 k_exit_usage);
-  const auto background = parse_color(arguments.background);
-  if (!background)
-    return fail(fmt::format("--background {}: write one number or R,G,B in nits, each 0 or more",
-                            arguments.background),
-                k_exit_usage);
-  options.background = *background;
+  const bool background_given = !arguments.background.empty();
+  if (background_given) {
+    const auto background = parse_color(arguments.background);
+    if (!background)
+      return fail(fmt::format("--background {}: write one number or R,G,B in nits, each 0 or more",
+                              arguments.background),
+                  k_exit_usage);
+    options.background = *background;
+  }
   DisplayOptions display = arguments.display;
   if (arguments.exposure != "auto") {
     display.ev100 = parse_float(arguments.exposure);
@@ -174,7 +206,10 @@ int run_render(const RenderArguments& arguments) {
   if (!camera) return fail(camera.error().message);
   if (!size_given && camera->aspect > 0)
     options.width = std::clamp(int(float(options.height) * camera->aspect + 0.5f), 16, 8192);
-  choose_lights(scene, arguments.lights, *camera);
+  LightChoice light_choice = arguments.lights;
+  const std::string light_message = choose_lights(scene, light_choice, *camera);
+  if (!background_given && light_choice == LightChoice::studio)
+    options.background = Vec3f(k_studio_background_nits);
 
   table::LobeTable own_table;
   if (!arguments.table.empty()) {
@@ -193,6 +228,7 @@ int run_render(const RenderArguments& arguments) {
     fmt::print(stderr, "{}: {} triangles, {} polygon and {} punctual lights, loaded in {:.2f} s\n",
                arguments.scene, triangles, scene.lights.polygons.size(),
                scene.lights.punctual.size(), load_seconds);
+    if (!light_message.empty()) fmt::print(stderr, "{}\n", light_message);
     if (scene.lights.empty())
       fmt::print(stderr, "warning: the scene has no light; --lights studio adds one\n");
   }
@@ -297,8 +333,8 @@ void add_render(CLI::App& app, int& exit_code) {
                       "Camera by name or number from 0; \"frame\" shows the whole scene [the first]");
   command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]");
   command->add_option("--background", a.background,
-                      "Radiance where nothing is hit, in nits: one number or R,G,B")
-      ->capture_default_str();
+                      "Radiance where nothing is hit, in nits: one number or R,G,B [0; with the "
+                      "studio rig alone 0.03, a dark grey]");
   command->add_option("--exposure", a.exposure, "EV100 or \"auto\"; for .png only")
       ->capture_default_str();
   const std::map<std::string, image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},

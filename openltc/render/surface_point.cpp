@@ -125,7 +125,10 @@ SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textu
   const Vec3f base(m.base_color.x * vertex_color.x * base_texel.x,
                    m.base_color.y * vertex_color.y * base_texel.y,
                    m.base_color.z * vertex_color.z * base_texel.z);
-  if (m.alpha_mode == scene::AlphaMode::blend)
+  // glTF culls the back of a surface that has one side only.
+  if (!from_front && !m.double_sided)
+    s.alpha = 0;
+  else if (m.alpha_mode == scene::AlphaMode::blend)
     s.alpha = saturate(m.base_color.w * vertex_color.w * base_texel.w);
 
   const Vec4f mr = textures.sample(m.metallic_roughness_texture, uv, width);

@@ -22,7 +22,7 @@ struct SurfacePoint {
   float roughness = 1; ///< perceptual
   float offset = 0;    ///< metres that shadow rays start off the surface
   Vec3f emission;      ///< nits towards the viewer, unlit colour included
-  float alpha = 1;     ///< coverage
+  float alpha = 1;     ///< coverage; 0 on the culled back of a one-sided surface
   bool lit = true;     ///< false for unlit materials
 };
 

@@ -9,9 +9,12 @@
 
 namespace openltc::scene {
 
-/// A perspective camera that looks at the middle of `bounds` from the front right and above, far
-/// enough for all of it to be in a picture of `aspect` = width / height. Its shorter side spans 35
-/// degrees. Empty bounds are taken as a cube of one metre.
+/// A three-quarter view from slightly above that shows the whole scene, filling the picture but for
+/// a small rim; 35 degrees over the shorter side. A scene that is flat along Z, a chart or a
+/// picture, is seen from the front instead. `aspect` is width / height.
+Camera frame_scene(const Scene& scene, float aspect);
+
+/// The same for a box of which nothing else is known.
 Camera frame_scene(const Bounds& bounds, float aspect);
 
 } // namespace openltc::scene

@@ -1,9 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Level of the lights. A reflected-light meter calibrated with K = 12.5 gives a correctly exposed
-// mean luminance L = 2^(EV100 - 3) (ISO 2720); mid grey reflects 18 % of the illuminance E as
-// L = 0.18 E / pi, hence E = pi 2^(EV100 - 3) / 0.18.
+// Level of the lights. A white Lambertian card of luminance L receives the illuminance E = pi L.
 //
 // A rectangle with half sides a, b that faces a point straight at distance d gives the irradiance
 // E = L * 2 [ a/sqrt(d2+a2) atan(b/sqrt(d2+a2)) + b/sqrt(d2+b2) atan(a/sqrt(d2+b2)) ]
@@ -12,8 +10,10 @@
 
 #include "openltc/scene/studio.h"
 
+#include "openltc/light/polygon.h"
 #include "openltc/light/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,7 +50,7 @@ Vec3f to_float(Vec3d v) {
 
 } // namespace
 
-light::Lights studio_lights(const Bounds& bounds, const Camera& camera) {
+light::Lights studio_lights(const Bounds& bounds, const Camera& camera, double white_nits) {
   const Vec3d lower(double(bounds.lower.x), double(bounds.lower.y), double(bounds.lower.z));
   const Vec3d upper(double(bounds.upper.x), double(bounds.upper.y), double(bounds.upper.z));
   const Vec3d center = (lower + upper) * 0.5;
@@ -64,7 +64,7 @@ light::Lights studio_lights(const Bounds& bounds, const Camera& camera) {
   const Vec3d up(0, 1, 0);
   const Vec3d side = cross(up, front);
 
-  const double key_illuminance = std::numbers::pi * std::exp2(double(k_studio_ev100) - 3) / 0.18;
+  const double key_illuminance = std::numbers::pi * white_nits;
   light::Lights lights;
   for (const SoftBox& box : k_soft_boxes) {
     const Vec3d towards = (front * std::cos(box.azimuth_rad) + side * std::sin(box.azimuth_rad)) *
@@ -84,6 +84,30 @@ light::Lights studio_lights(const Bounds& bounds, const Camera& camera) {
     lights.polygons.push_back(std::move(light));
   }
   return lights;
+}
+
+double white_level_nits(const light::Lights& lights, const Bounds& bounds) {
+  const Vec3f center = (bounds.lower + bounds.upper) * 0.5f;
+  const auto luminance = [](Vec3f rgb) {
+    return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
+  };
+  double brightest = 0;
+  for (const light::PolygonLight& light : lights.polygons) {
+    if (light.vertices.empty()) continue;
+    const Vec3f d = center - light.vertices[0];
+    const double distance2 = std::max(double(dot(d, d)), light::area(light));
+    const double cosine = double(dot(d, light.normal)) / std::sqrt(distance2);
+    const double facing = light.two_sided ? std::abs(cosine) : std::max(cosine, 0.0);
+    brightest =
+        std::max(brightest, luminance(light.radiance) * light::area(light) * facing / distance2);
+  }
+  for (const light::PunctualLight& light : lights.punctual) {
+    const Vec3f d = center - light.position;
+    const bool far = light.type == light::PunctualType::directional;
+    const double distance2 = far ? 1.0 : std::max(double(dot(d, d)), 1e-6);
+    brightest = std::max(brightest, luminance(light.intensity) / distance2);
+  }
+  return brightest / std::numbers::pi;
 }
 
 } // namespace openltc::scene

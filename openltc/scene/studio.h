@@ -9,14 +9,18 @@
 
 namespace openltc::scene {
 
-/// The exposure that the studio's lights are made for: a normal to the key light at the middle of
-/// the scene receives what exposes a mid-grey surface as mid-grey at this EV100.
-inline constexpr float k_studio_ev100 = 9.0f;
-
 /// Three soft boxes around `bounds` as seen from `camera`: a large key from the upper left, a
 /// weaker fill from the right, a rim light from behind and above. They stand outside the bounds'
 /// sphere, are one-sided, face its centre, and grow with it, so that the light in the scene does
 /// not depend on its size.
-light::Lights studio_lights(const Bounds& bounds, const Camera& camera);
+///
+/// `white_nits` is the luminance that a white, matte card in the middle, facing the key, has by the
+/// key's light. At 1 nit such a card is as bright as what emits glTF's plain emissive factor of 1,
+/// and as unlit white.
+light::Lights studio_lights(const Bounds& bounds, const Camera& camera, double white_nits = 1.0);
+
+/// How bright the lights of a scene make a white, matte card in its middle that faces each of them:
+/// the largest such luminance in nits. Shadows are ignored, polygons taken for points.
+double white_level_nits(const light::Lights& lights, const Bounds& bounds);
 
 } // namespace openltc::scene
