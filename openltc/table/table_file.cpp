@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -28,9 +29,12 @@ std::string number_rows(const LobeTable& table) {
   std::string rows;
   const int count = table.size * table.size;
   for (int i = 0; i < count; ++i) {
-    for (int k = 0; k < k_stored; ++k)
-      rows += fmt::format("{}{}", table.texels[std::size_t(i) * LobeTable::k_channels + k],
-                          k + 1 < k_stored ? "," : "");
+    for (int k = 0; k < k_stored; ++k) {
+      const float value = table.texels[std::size_t(i) * LobeTable::k_channels + std::size_t(k)];
+      // "-0" would read back as the integer 0.
+      rows += value == 0 && std::signbit(value) ? std::string("-0.0") : fmt::format("{}", value);
+      if (k + 1 < k_stored) rows += ",";
+    }
     rows += i + 1 < count ? ",\n" : "\n";
   }
   return rows;

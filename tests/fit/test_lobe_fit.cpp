@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// One node: derivatives, the leak, and fits whose answer is known.
+
+#include "openltc/fit/error.h"
+#include "openltc/fit/lobe_fit.h"
+#include "openltc/target/shade_f64.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace openltc;
+
+namespace {
+
+// Lambert's BRDF, whose best lobe is the cosine, whatever the roughness.
+const brdf::Brdf k_lambert = {
+    "lambert", "albedo 1", "Lambert 1760",
+    [](Vec3d, Vec3d wi, double) {
+      return brdf::BrdfValue{f64::eval_lambert(wi), 0};
+    },
+    // u.x is the azimuth in this registry.
+    [](Vec3d, double, Vec2d u) { return f64::sample_lambert(Vec2d(u.y, u.x)); },
+    [](Vec3d, Vec3d wi, double) { return f64::pdf_lambert(wi); }};
+
+double& component(Vec4d& v, int k) {
+  return k == 0 ? v.x : k == 1 ? v.y : k == 2 ? v.z : v.w;
+}
+
+} // namespace
+
+TEST_CASE("the analytic Jacobian equals finite differences") {
+  int compared = 0;
+  for (const double alpha : {1e-3, 0.05, 0.5, 1.0}) {
+    for (int i = 0; i < 200; ++i) {
+      // A spread of directions around the mirror direction, width alpha.
+      const double r = alpha * (0.05 + 0.02 * i), phi = 0.37 * i;
+      const Vec3d w = normalize(Vec3d(r * std::cos(phi), r * std::sin(phi), 1));
+      const Vec4d at(0.7, -0.4, 0.6, 1.3);
+      const fit::LobeDensity d = fit::lobe_density(at, alpha, w);
+      if (d.value <= 0) continue;
+      for (int k = 0; k < 4; ++k) {
+        const double h = 1e-5;
+        Vec4d up = at, down = at;
+        component(up, k) += h;
+        component(down, k) -= h;
+        const double difference =
+            (fit::lobe_density(up, alpha, w).value - fit::lobe_density(down, alpha, w).value) /
+            (2 * h);
+        CHECK(std::abs(d.derivative[k] - difference) < 1e-6 * (d.value + std::abs(difference)));
+        ++compared;
+      }
+    }
+  }
+  CHECK(compared > 1000);
+}
+
+TEST_CASE("the density here is the density of the shading maths") {
+  for (int i = 0; i < 500; ++i) {
+    const double theta = 0.003 * i, alpha = 0.02 + 0.0019 * i;
+    const double c = std::cos(theta), s = std::sin(theta);
+    const Vec4d abcd(0.3 + 0.5 * c, -0.5 * s, 0.8 * s, 0.1 + 1.5 * c);
+    const double a = 0.7 * i, b = 0.3 + 0.005 * i;
+    const Vec3d w(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
+    const Vec3d mirror(c * w.x + s * w.z, w.y, c * w.z - s * w.x);
+    CHECK(fit::lobe_density(abcd, alpha, mirror).value ==
+          doctest::Approx(f64::eval_lobe(f64::lobe_from_mirror(abcd, alpha, c), w)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("the leak is what the lobe holds below the horizon") {
+  for (const double theta : {0.0, 0.5, 1.0, 1.4}) {
+    const double c = std::cos(theta), alpha = 0.4;
+    const Vec4d abcd(0.3 + 0.5 * c, -0.5, 0.8, 0.1 + 1.5 * c);
+    const f64::Lobe lobe = f64::lobe_from_mirror(abcd, alpha, c);
+    // By samples of the lobe on a grid.
+    const int n = 800;
+    int below = 0;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        below += f64::sample_lobe(lobe, Vec2d((i + 0.5) / n, (j + 0.5) / n)).z < 0;
+    CHECK(fit::lobe_leak(abcd, alpha, c) == doctest::Approx(double(below) / (n * n)).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("a lobe fitted to Lambert is the cosine") {
+  for (const double c : {1.0, 0.8, 0.3, 0.05}) {
+    const fit::Quadrature q = fit::make_quadrature(k_lambert, 0.7, c, 32);
+    Vec4d start = fit::cosine_start(q.alpha, c);
+    start.x *= 1.3;
+    start.w *= 0.7;
+    const fit::LobeFit f = fit::fit_lobe(q, start, {});
+    const f64::Lobe lobe = f64::lobe_from_mirror(f.mirror, q.alpha, c);
+    CAPTURE(c);
+    CHECK(f.converged);
+    CHECK(lobe.m00 == doctest::Approx(1).epsilon(1e-5));
+    CHECK(lobe.m22 == doctest::Approx(1).epsilon(1e-5));
+    CHECK(std::abs(lobe.m02) < 1e-5);
+    CHECK(std::abs(lobe.m20) < 1e-5);
+    CHECK(fit::measure_lobe(q, lobe).tv < 1e-4);
+  }
+}
+
+TEST_CASE("no single coefficient can be changed for the better") {
+  const brdf::Brdf& ggx = *brdf::find_brdf("ggx");
+  for (const double roughness : {0.1, 0.4, 0.9}) {
+    for (const double c : {0.9, 0.4, 0.05}) {
+      const fit::Quadrature q = fit::make_quadrature(ggx, roughness, c, 32);
+      const fit::LobeFit best = fit::fit_lobe(q, fit::cosine_start(q.alpha, c), {});
+      for (int k = 0; k < 4; ++k) {
+        for (const double change : {-0.01, 0.01}) {
+          Vec4d other = best.mirror;
+          component(other, k) += change;
+          // A single trial step from there must come back below.
+          fit::LobeFitOptions one;
+          one.max_iterations = 1;
+          CHECK(fit::fit_lobe(q, other, one).objective >= best.objective - 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("pure total variation gives the least total variation") {
+  const brdf::Brdf& ggx = *brdf::find_brdf("ggx");
+  const fit::Quadrature q = fit::make_quadrature(ggx, 0.5, 0.3, 48);
+  fit::LobeFitOptions tv, squares;
+  tv.l2_weight = 0;
+  tv.rounding = 1e-3;
+  squares.l2_weight = 100;
+  const Vec4d start = fit::cosine_start(q.alpha, q.cos_theta);
+  const auto measure = [&](const fit::LobeFitOptions& o) {
+    return fit::measure_lobe(
+        q, f64::lobe_from_mirror(fit::fit_lobe(q, start, o).mirror, q.alpha, q.cos_theta));
+  };
+  CHECK(measure(tv).tv < measure({}).tv);
+  CHECK(measure({}).tv < measure(squares).tv);
+  CHECK(measure(squares).l2 < measure({}).l2);
+  CHECK(measure({}).l2 < measure(tv).l2);
+}

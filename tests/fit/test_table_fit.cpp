@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Whole tables: the built-in comes from this fitter, its errors are as stated, threads do not
+// matter.
+
+#include "openltc/fit/error.h"
+#include "openltc/fit/table_fit.h"
+#include "openltc/table/table_file.h"
+
+#include <doctest/doctest.h>
+#include <tbb/global_control.h>
+
+#include <fstream>
+#include <iterator>
+
+using namespace openltc;
+
+namespace {
+
+const brdf::Brdf& ggx() {
+  return *brdf::find_brdf("ggx");
+}
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool k_slow_build = true;
+#else
+constexpr bool k_slow_build = false;
+#endif
+
+} // namespace
+
+TEST_CASE("the built-in table regenerates byte for byte") {
+  if (k_slow_build) {
+    MESSAGE("skipped: takes minutes under a sanitizer");
+    return;
+  }
+  Result<table::LobeTable> fitted = fit::fit_table(ggx(), {});
+  REQUIRE(fitted);
+  // A release raises the version without making the table anew.
+  const std::string version = table::builtin_ggx_table().metadata.tool_version;
+  fit::describe_table(*fitted, fit::measure_table(ggx(), *fitted, {}), version.c_str());
+  std::ifstream file(OPENLTC_SOURCE_DIR "/openltc/table/builtin_ggx.cpp", std::ios::binary);
+  const std::string source{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  REQUIRE(!source.empty());
+  // Not CHECK(a == b): the message would be 230 kB.
+  const bool same = table::to_builtin_source(*fitted) == source;
+  CHECK_MESSAGE(same, "run tools/make_builtin_table.sh, or undo what changed the fit");
+}
+
+TEST_CASE("the built-in's errors between the nodes stay within their bounds") {
+  const table::LobeTable& t = table::builtin_ggx_table();
+  const fit::TableError rough = fit::measure_table(ggx(), t, {});
+  fit::MeasureOptions options;
+  options.roughness_from = 0.01;
+  options.roughness_to = 0.06;
+  const fit::TableError sharp = fit::measure_table(ggx(), t, options);
+  MESSAGE("mean TV ", rough.mean.tv, " and ", sharp.mean.tv, ", largest ", rough.max.tv, " and ",
+          sharp.max.tv);
+  CHECK(rough.mean.tv < 0.0415);
+  CHECK(rough.max.tv < 0.33);
+  CHECK(rough.mean.l2 < 0.068);
+  CHECK(rough.p95.peak < 0.20);
+  CHECK(rough.mean.leak < 0.004);
+  CHECK(rough.mean.n1 < 4e-4);
+  CHECK(rough.p95.n1 < 1e-3);
+  CHECK(sharp.mean.tv < 0.0018);
+  CHECK(sharp.max.tv < 0.06);
+  CHECK(sharp.p95.n5 < 3e-3);
+}
+
+TEST_CASE("the number of threads does not matter") {
+  fit::TableFitOptions options;
+  options.size = 9;
+  options.grid = 12;
+  options.amplitude_grid = 12;
+  std::string results[2];
+  for (int k = 0; k < 2; ++k) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, k == 0 ? 1 : 4);
+    Result<table::LobeTable> fitted = fit::fit_table(ggx(), options);
+    REQUIRE(fitted);
+    fit::MeasureOptions measure;
+    measure.points = 6;
+    measure.grid = 12;
+    fit::describe_table(*fitted, fit::measure_table(ggx(), *fitted, measure), "0");
+    results[k] = table::to_json(*fitted);
+  }
+  CHECK((results[0] == results[1]));
+}
+
+TEST_CASE("progress runs to 1 and wrong sizes are refused") {
+  fit::TableFitOptions options;
+  options.size = 4;
+  options.grid = 8;
+  options.amplitude_grid = 8;
+  double last = 0;
+  bool rising = true;
+  CHECK(fit::fit_table(ggx(), options, [&](double share) {
+          rising = rising && share > last;
+          last = share;
+        }).ok());
+  CHECK(rising);
+  CHECK(last == 1.0);
+  options.size = 1;
+  CHECK_FALSE(fit::fit_table(ggx(), options).ok());
+  options.size = 4;
+  options.grid = 7;
+  CHECK_FALSE(fit::fit_table(ggx(), options).ok());
+}

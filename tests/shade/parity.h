@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The lane builds of the parity test. Plain arrays only: nothing inline may be shared between files
+// that are compiled for different instruction sets.
+
+#pragma once
+
+#include "openltc/target/resources.h"
+
+namespace openltc::testing {
+
+constexpr int k_parity_inputs = 30;
+constexpr int k_parity_max_outputs = 160;
+
+/// Evaluates `count` inputs, a multiple of 16: in[k * count + i] is input k of element i, out
+/// likewise. Returns the number of outputs.
+using ParityRun = int (*)(const float* in, int count, const LobeTableView* table,
+                          const PolygonView* polygon, float* out);
+
+int parity_run_baseline(const float*, int, const LobeTableView*, const PolygonView*, float*);
+int parity_run_avx2(const float*, int, const LobeTableView*, const PolygonView*, float*);
+int parity_run_avx512(const float*, int, const LobeTableView*, const PolygonView*, float*);
+int parity_lanes_baseline();
+int parity_lanes_avx2();
+int parity_lanes_avx512();
+
+} // namespace openltc::testing

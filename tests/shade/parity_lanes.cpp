@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The dialect in lanes. Compiled once per instruction set, with OPENLTC_ISA naming it.
+
+#include "openltc/target/resources.h"
+#include "openltc/target/vec.h"
+#include "parity.h"
+
+#include <hwy/highway.h>
+// Highway asks for this order.
+#include <hwy/contrib/math/math-inl.h>
+
+#define OPENLTC_PASTE_(a, b) a##b
+#define OPENLTC_PASTE(a, b) OPENLTC_PASTE_(a, b)
+
+namespace openltc {
+namespace OPENLTC_PASTE(lanes_, OPENLTC_ISA) {
+
+#include "openltc/target/lanes.inc"
+#include "openltc/target/shade_all.inc"
+#include "parity_body.inc"
+
+} // namespace )
+
+namespace testing {
+
+namespace lanes = OPENLTC_PASTE(lanes_, OPENLTC_ISA);
+
+int OPENLTC_PASTE(parity_run_, OPENLTC_ISA)(const float* in, int count, const LobeTableView* table,
+                                            const PolygonView* polygon, float* out) {
+  int outputs = 0;
+  for (int i = 0; i < count; i += lanes::k_lanes) {
+    lanes::Real inputs[k_parity_inputs], results[k_parity_max_outputs];
+    for (int k = 0; k < k_parity_inputs; ++k)
+      inputs[k] = lanes::load(in + k * count + i);
+    outputs = lanes::parity_evaluate(inputs, *table, *polygon, results, nullptr);
+    for (int k = 0; k < outputs; ++k)
+      lanes::store(results[k], out + k * count + i);
+  }
+  return outputs;
+}
+
+int OPENLTC_PASTE(parity_lanes_, OPENLTC_ISA)() {
+  return lanes::k_lanes;
+}
+
+} // namespace testing
+} // namespace openltc
