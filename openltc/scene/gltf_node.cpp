@@ -113,7 +113,10 @@ class Walker {
 public:
   Walker(Document& document, Scene& scene)
       : document_(document), model_(*document.model), scene_(scene),
-        visited_(model_.nodes.size(), false) {}
+        visited_(model_.nodes.size(), false), uses_(model_.meshes.size(), 0) {
+    for (const auto& node : model_.nodes)
+      if (node.mesh >= 0) ++uses_[std::size_t(node.mesh)];
+  }
 
   void walk() {
     check_hierarchy();
@@ -234,7 +237,7 @@ private:
       first_without_area_ = fmt::format("meshes[{}].primitives[{}]", mesh_index, primitive);
   }
 
-  // Read once, copied for every instance.
+  // Read once, copied for every instance; kept only when there are several.
   Mesh local_mesh(std::size_t mesh_index, std::size_t primitive) {
     const auto key = std::make_pair(mesh_index, primitive);
     const auto found = local_meshes_.find(key);
@@ -244,6 +247,7 @@ private:
     Mesh mesh = read_primitive(document_, mesh_index, primitive,
                                vertex_needs(scene_.materials[std::size_t(material)]));
     mesh.material = material;
+    if (uses_[mesh_index] < 2) return mesh;
     return local_meshes_.emplace(key, std::move(mesh)).first->second;
   }
 
@@ -260,6 +264,7 @@ private:
   const tinygltf::Model& model_;
   Scene& scene_;
   std::vector<bool> visited_;
+  std::vector<std::size_t> uses_; // of each mesh by nodes
   std::map<std::pair<std::size_t, std::size_t>, Mesh> local_meshes_;
   std::size_t triangle_count_ = 0;
   int default_material_ = -1;

@@ -8,6 +8,9 @@
 //   length, weighted by the corner's angle, summed over the corners that share position, normal,
 //   texture coordinates and handedness.
 //
+// The bitangent is cross(normal, tangent) w. glTF's v points down the picture but the green of its
+// normal maps up, so that w is +1 where the texture's area is negative: on a picture seen upright.
+//
 // It differs in that corners are joined over the whole mesh instead of over connected faces, which
 // tells only where unconnected faces touch with equal normals and coordinates.
 
@@ -41,13 +44,13 @@ struct CornerHash {
   }
 };
 
-CornerKey corner_key(Vec3f p, Vec3f n, Vec2f uv, bool mirrored) {
+CornerKey corner_key(Vec3f p, Vec3f n, Vec2f uv, bool is_negative) {
   // + 0.0f turns -0 into 0
   const float values[8] = {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f,  n.x + 0.0f,
                            n.y + 0.0f, n.z + 0.0f, uv.x + 0.0f, uv.y + 0.0f};
   CornerKey key;
   std::memcpy(key.bits.data(), values, sizeof values);
-  key.bits[8] = mirrored;
+  key.bits[8] = is_negative;
   return key;
 }
 
@@ -67,7 +70,7 @@ void duplicate(std::vector<T>& values, std::size_t index) {
   if (!values.empty()) values.push_back(T(values[index]));
 }
 
-// Signed area in texture space tells mirrored triangles.
+// Signed area in texture space, whose sign tells mirrored triangles from the others.
 double uv_area(const std::vector<Vec2f>& uv, const std::array<std::uint32_t, 3>& t) {
   const Vec2f a = uv[t[0]], b = uv[t[1]], c = uv[t[2]];
   return (double(b.x) - double(a.x)) * (double(c.y) - double(a.y)) -
@@ -77,7 +80,7 @@ double uv_area(const std::vector<Vec2f>& uv, const std::array<std::uint32_t, 3>&
 // Gives vertices that both kinds of triangles use a second copy. Returns each vertex's kind.
 std::vector<bool> split_by_handedness(Mesh& mesh, int tex_coord) {
   constexpr std::uint32_t k_none = 0xFFFFFFFF;
-  enum : std::uint8_t { unknown, straight, mirrored };
+  enum : std::uint8_t { unknown, positive, negative };
   const std::size_t original = mesh.positions.size();
   std::vector<std::uint8_t> kind(original, unknown);
   std::vector<std::uint32_t> copy(original, k_none);
@@ -85,7 +88,7 @@ std::vector<bool> split_by_handedness(Mesh& mesh, int tex_coord) {
   for (auto& triangle : mesh.triangles) {
     const double area = uv_area(uv, triangle);
     if (area == 0) continue; // gives no tangent, joins either kind
-    const std::uint8_t wanted = area > 0 ? straight : mirrored;
+    const std::uint8_t wanted = area > 0 ? positive : negative;
     for (std::uint32_t& corner : triangle) {
       if (kind[corner] == unknown) kind[corner] = wanted;
       if (kind[corner] == wanted) continue;
@@ -102,23 +105,23 @@ std::vector<bool> split_by_handedness(Mesh& mesh, int tex_coord) {
       corner = copy[corner];
     }
   }
-  std::vector<bool> is_mirrored(kind.size());
+  std::vector<bool> is_negative(kind.size());
   for (std::size_t i = 0; i < kind.size(); ++i)
-    is_mirrored[i] = kind[i] == mirrored;
-  return is_mirrored;
+    is_negative[i] = kind[i] == negative;
+  return is_negative;
 }
 
 } // namespace
 
 void compute_tangents(Mesh& mesh, int tex_coord) {
-  const std::vector<bool> is_mirrored = split_by_handedness(mesh, tex_coord);
+  const std::vector<bool> is_negative = split_by_handedness(mesh, tex_coord);
   const auto& uv = tex_coord == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
 
   // Join corners.
   std::unordered_map<CornerKey, std::uint32_t, CornerHash> joined;
   std::vector<std::uint32_t> group(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const CornerKey key = corner_key(mesh.positions[i], mesh.normals[i], uv[i], is_mirrored[i]);
+    const CornerKey key = corner_key(mesh.positions[i], mesh.normals[i], uv[i], is_negative[i]);
     group[i] = joined.try_emplace(key, std::uint32_t(joined.size())).first->second;
   }
 
@@ -149,7 +152,7 @@ void compute_tangents(Mesh& mesh, int tex_coord) {
     const double l = length(tangent);
     tangent = l > 1e-12 ? tangent / l : any_perpendicular(n);
     mesh.tangents[i] =
-        Vec4f(float(tangent.x), float(tangent.y), float(tangent.z), is_mirrored[i] ? -1.0f : 1.0f);
+        Vec4f(float(tangent.x), float(tangent.y), float(tangent.z), is_negative[i] ? 1.0f : -1.0f);
   }
 }
 

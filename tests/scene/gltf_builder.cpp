@@ -207,7 +207,7 @@ bool fails_naming(const Result<scene::Scene>& result, const std::string& part) {
 bool warns_about(const scene::Scene& scene, const std::string& part) {
   for (const std::string& warning : scene.warnings)
     if (warning.find(part) != std::string::npos) return true;
-  for (const std::string& warning : scene.warnings)
+  for ([[maybe_unused]] const std::string& warning : scene.warnings)
     MESSAGE("warning: " << warning);
   return false;
 }

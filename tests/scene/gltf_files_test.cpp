@@ -5,6 +5,7 @@
 
 #include "gltf_builder.h"
 #include "openltc/light/polygon.h"
+#include "openltc/scene/tangents.h"
 
 #include <doctest/doctest.h>
 
@@ -126,6 +127,31 @@ TEST_CASE("real_files_load_as_the_scenes_that_they_are") {
     CHECK(loaded->warnings.size() == wanted->second.warnings);
   }
   CHECK(found == expected.size());
+}
+
+TEST_CASE("computed_tangents_agree_with_those_that_exporters_wrote") {
+  if (!is_there(k_shared / "scenes")) return;
+  for (const char* name : {"FlightHelmet/FlightHelmet.gltf", "ClearCoatTest.glb"}) {
+    const auto loaded = scene::load_gltf((k_shared / "scenes" / name).string());
+    REQUIRE(loaded.ok());
+    std::size_t corners = 0, same_sign = 0;
+    double cos_sum = 0;
+    for (const scene::Mesh& mesh : loaded->meshes) {
+      if (mesh.tangents.empty()) continue;
+      scene::Mesh computed = mesh;
+      scene::compute_tangents(computed, 0);
+      for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+          const Vec4f a = mesh.tangents[mesh.triangles[i][c]];
+          const Vec4f b = computed.tangents[computed.triangles[i][c]];
+          ++corners;
+          same_sign += a.w == b.w;
+          cos_sum += double(a.x * b.x + a.y * b.y + a.z * b.z);
+        }
+    }
+    CHECK(double(same_sign) / double(corners) > 0.999);
+    CHECK(cos_sum / double(corners) > 0.995);
+  }
 }
 
 TEST_CASE("the_cornell_box_is_lit_by_its_lamp") {

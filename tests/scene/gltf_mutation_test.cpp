@@ -8,6 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <random>
 
 namespace {
@@ -16,6 +18,12 @@ using namespace openltc;
 using namespace openltc::test;
 
 using Bytes = std::vector<std::uint8_t>;
+
+// OPENLTC_FUZZ_ROUNDS=100 makes the passes a hundred times as long.
+int rounds(int usual) {
+  const char* factor = std::getenv("OPENLTC_FUZZ_ROUNDS");
+  return usual * (factor ? std::max(1, std::atoi(factor)) : 1);
+}
 
 Bytes flip_bytes(Bytes bytes, std::mt19937& random) {
   const std::size_t flips = 1 + random() % 8;
@@ -124,7 +132,7 @@ TEST_CASE("the_samples_themselves_load") {
 TEST_CASE("damaged_bytes_never_crash_the_importer") {
   std::mt19937 random(20240501);
   const auto samples = make_samples();
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < rounds(1000); ++i) {
     const GltfBuilder& sample = samples[random() % samples.size()];
     Bytes bytes = sample.to_glb();
     if (random() % 3 == 0) {
@@ -141,7 +149,7 @@ TEST_CASE("damaged_structure_never_crashes_the_importer") {
   std::mt19937 random(20240502);
   const auto samples = make_samples();
   std::size_t loaded_count = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < rounds(3000); ++i) {
     GltfBuilder sample = samples[random() % samples.size()];
     sample.root["buffers"] =
         json::array({{{"byteLength", sample.buffer.size()}},
@@ -151,7 +159,7 @@ TEST_CASE("damaged_structure_never_crashes_the_importer") {
     CAPTURE(i);
     const Bytes bytes = sample.to_glb();
     check_ends_well(bytes);
-    loaded_count += load_bytes(bytes).ok();
+    if (i < 3000) loaded_count += load_bytes(bytes).ok();
   }
   CHECK(loaded_count > 100); // the mutations are not all refused at the door
 }
