@@ -72,14 +72,14 @@ void shade(benchmark::State& state, render::Kernel kernel, int light_count, bool
     benchmark::DoNotOptimize(samples.data());
   }
   state.counters["ns/point/light"] =
-      benchmark::Counter(1e-9 * double(k_points) * light_count,
+      benchmark::Counter(1e-9 * double(k_points) * light_count, // so that its rate is per nanosecond
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  for (const char* name : {"scalar", "sse2", "avx2", "avx512", "neon"}) {
+  for (const char* name : {"scalar", "sse4", "avx2", "avx512", "neon"}) {
     const render::Kernel kernel = render::kernel_by_name(name);
     if (!kernel.shade) continue;
     for (const int lights : {1, 5, 50})

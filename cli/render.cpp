@@ -351,8 +351,8 @@ void add_render(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   command->add_option("--kernel", a.kernel,
-                      "Shading kernel, to compare: auto, scalar, sse2, avx2, avx512, neon")
-      ->check(CLI::IsMember({"auto", "scalar", "sse2", "avx2", "avx512", "neon"}))
+                      "Shading kernel, to compare: auto, scalar, sse4, avx2, avx512, neon")
+      ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
       ->capture_default_str();
   command->add_flag("--json", a.json, "Print what was done and the times as JSON on stdout");
   command->add_flag("--quiet", a.quiet, "No progress, warnings and messages on stderr");

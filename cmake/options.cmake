@@ -9,9 +9,11 @@ target_compile_features(openltc_options INTERFACE cxx_std_20)
 target_include_directories(openltc_options INTERFACE ${PROJECT_SOURCE_DIR})
 
 # -fno-math-errno: without it sqrt() keeps a call for errno and lanes do not vectorise.
-# -ffp-contract=off: the same bytes from every compiler; lanes ask for FMA by name.
+# -ffp-contract=off: the same bytes from every compiler. Targets with the property OPENLTC_FUSE, the
+# lanes, may fuse multiply and add.
 target_compile_options(openltc_options INTERFACE
-  -Wall -Wextra -Wshadow -Wdouble-promotion -fno-math-errno -ffp-contract=off)
+  -Wall -Wextra -Wshadow -Wdouble-promotion -fno-math-errno
+  -ffp-contract=$<IF:$<BOOL:$<TARGET_PROPERTY:OPENLTC_FUSE>>,fast,off>)
 if(OPENLTC_WERROR)
   target_compile_options(openltc_options INTERFACE -Werror)
 endif()

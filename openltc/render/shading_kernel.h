@@ -107,7 +107,7 @@ inline constexpr int k_max_brdf_samples = 64;
 using ShadeFunction = void (*)(const KernelContext& context, const ShadingBatch& batch);
 
 struct Kernel {
-  const char* name = ""; ///< "scalar", "sse2", "avx2", "avx512", "neon"
+  const char* name = ""; ///< "scalar", "sse4", "avx2", "avx512", "neon"
   int lanes = 1;
   ShadeFunction shade = nullptr;
 };

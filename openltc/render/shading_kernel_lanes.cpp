@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The kernel in SIMD lanes. Compiled once per instruction set: the build defines
-// OPENLTC_KERNEL as its name and gives the compiler its flags.
+// OPENLTC_KERNEL as its name, OPENLTC_LANES as its width, and gives the compiler its flags.
 
 #include "openltc/render/shading_kernel_variants.h"
 
@@ -23,6 +23,7 @@ namespace openltc::render::OPENLTC_KERNEL {
 #include "openltc/render/shading_kernel.inc"
 
 static_assert(k_batch_padding % k_lanes == 0);
+static_assert(k_lanes == OPENLTC_LANES, "Highway did not choose the instruction set asked for");
 
 Kernel kernel() { return {OPENLTC_STRINGIFY(OPENLTC_KERNEL), k_lanes, shade_batch}; }
 

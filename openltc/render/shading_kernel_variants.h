@@ -12,7 +12,7 @@ namespace openltc::render {
 namespace scalar {
 Kernel kernel();
 }
-namespace sse2 {
+namespace sse4 {
 Kernel kernel();
 }
 namespace avx2 {

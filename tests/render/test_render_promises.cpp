@@ -68,7 +68,7 @@ TEST_CASE("every kernel of this machine paints the same picture to rounding") {
   auto scalar = render::render(scene, k_camera, table::builtin_ggx_table(), options);
   REQUIRE(scalar.ok());
   int kernels = 0;
-  for (const char* name : {"sse2", "avx2", "avx512", "neon"}) {
+  for (const char* name : {"sse4", "avx2", "avx512", "neon"}) {
     if (!render::kernel_by_name(name).shade) continue;
     ++kernels;
     options.kernel = name;

@@ -19,9 +19,11 @@ using ParityRun = int (*)(const float* in, int count, const LobeTableView* table
                           const PolygonView* polygon, float* out);
 
 int parity_run_baseline(const float*, int, const LobeTableView*, const PolygonView*, float*);
+int parity_run_sse4(const float*, int, const LobeTableView*, const PolygonView*, float*);
 int parity_run_avx2(const float*, int, const LobeTableView*, const PolygonView*, float*);
 int parity_run_avx512(const float*, int, const LobeTableView*, const PolygonView*, float*);
 int parity_lanes_baseline();
+int parity_lanes_sse4();
 int parity_lanes_avx2();
 int parity_lanes_avx512();
 
