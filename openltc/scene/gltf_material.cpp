@@ -6,9 +6,9 @@
 
 #include "openltc/scene/gltf_material.h"
 
+#include "openltc/image/file.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
-#include "openltc/scene/gltf_image.h"
 #include "openltc/scene/gltf_uri.h"
 
 #define TINYGLTF_NO_STB_IMAGE
@@ -227,9 +227,9 @@ private:
     } else {
       fail(field, "has neither uri nor bufferView; export the file again");
     }
-    count_pixels(pixel_count(bytes), field);
-    Result<image::Image> decoded = decode(bytes, field, space == ColorSpace::color);
+    Result<image::Image> decoded = image::decode(bytes, field, space == ColorSpace::color);
     if (!decoded.ok()) throw Failure{decoded.error().message};
+    count_pixels(decoded->pixel_count(), field);
     return std::move(*decoded);
   }
 
@@ -239,6 +239,9 @@ private:
       fail(field, fmt::format("the textures have more than {} million pixels together; reduce them",
                               k_max_total_pixels >> 20));
   }
+
+  // 4 GiB as float RGBA.
+  static constexpr std::size_t k_max_total_pixels = std::size_t(1) << 28;
 
   using Key = std::tuple<int, ColorSpace, Wrap, Wrap, bool>;
 
