@@ -46,6 +46,7 @@ struct RenderArguments {
   std::optional<int> samples;
   int shadow_samples = 16;
   DisplayOptions display;
+  render::PixelFilter filter = render::PixelFilter::blackman_harris;
   std::string exposure = "auto";
   std::uint32_t seed = 0;
   int threads = 0;
@@ -184,6 +185,7 @@ int run_render(const RenderArguments& arguments) {
       arguments.samples.value_or(reference ? k_default_samples_reference : k_default_samples_ltc);
   options.shadow_samples = arguments.shadow_samples;
   options.punctual_form = arguments.point_lights;
+  options.filter = arguments.filter;
   options.seed = arguments.seed;
   options.threads = arguments.threads;
   options.kernel = arguments.kernel;
@@ -316,6 +318,13 @@ void add_render(CLI::App& app, int& exit_code) {
                       "all shadows off")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
+  const std::map<std::string, render::PixelFilter> filters = {
+      {"blackman-harris", render::PixelFilter::blackman_harris},
+      {"none", render::PixelFilter::none}};
+  command->add_option("--filter", a.filter,
+                      "Reconstruction filter; none: all rays through the middle of the pixel, to "
+                      "compare light without edges [blackman-harris]")
+      ->transform(CLI::CheckedTransformer(filters).description("blackman-harris|none"));
   const std::map<std::string, render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
                                                              {"ltc", render::PunctualForm::ltc}};
   command->add_option("--point-lights", a.point_lights,

@@ -139,7 +139,7 @@ private:
       const int x = x0_ + std::min(i, width_ - 1), y = y0_ + row;
       seed[i] = pixel_seed(x, y);
       float dx = 0, dy = 0;
-      if (job_.options.samples > 1) {
+      if (job_.options.samples > 1 && job_.options.filter != PixelFilter::none) {
         const Sample2 u = owen_sobol(std::uint32_t(sample), hash_combine(seed[i], k_purpose_pixel));
         dx = filter_offset(u.u);
         dy = filter_offset(u.v);

@@ -17,6 +17,11 @@
 
 namespace openltc::render {
 
+enum class PixelFilter {
+  blackman_harris, ///< radius 1.5 pixels
+  none,            ///< every camera ray through the middle of its pixel, to compare light alone
+};
+
 struct RenderOptions {
   int width = 1280; ///< pixels
   int height = 720;
@@ -25,6 +30,7 @@ struct RenderOptions {
   /// LTC: samples of the shadow ratio per pixel and polygon light, spread over its camera samples,
   /// at least one each; 0 = no shadows at all. Reference: only whether it is 0.
   int shadow_samples = 16;
+  PixelFilter filter = PixelFilter::blackman_harris; ///< with more than one sample per pixel
   PunctualForm punctual_form = PunctualForm::exact;
   Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
   std::uint32_t seed = 0;
