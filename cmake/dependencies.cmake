@@ -29,7 +29,7 @@ if(NOT embree_FOUND)
   find_package(embree 3 REQUIRED)
 endif()
 
-# Optional: Ubuntu 22.04 has no package of it.
+# Optional: not every distribution packages it.
 find_package(meshoptimizer QUIET)
 if(NOT meshoptimizer_FOUND)
   message(STATUS "meshoptimizer not found: glTF files with EXT_meshopt_compression will be refused")
