@@ -50,7 +50,7 @@ def add_floor(file):
             "metallicRoughnessTexture": use("parquet roughness", roughnesses)}})
     # Texture coordinates are metres on the floor, turned by 45 degrees so that the herringbone
     # points away from the viewer; KHR_texture_transform scales them to the texture's period.
-    x, front, back, h = 9.0, 9.0, -3.0, math.sqrt(0.5)
+    x, front, back, h = 12.0, 14.0, -1.4, math.sqrt(0.5)
     corners = [(-x, 0.0, front), (x, 0.0, front), (x, 0.0, back), (-x, 0.0, back)]
     mesh = add_mesh(file, "floor", (corners, [(0.0, 1.0, 0.0)] * 4, [(0, 1, 2), (0, 2, 3)]),
                     material, [(h, 0.0, h, 1.0)] * 4,
@@ -60,8 +60,8 @@ def add_floor(file):
 
 def add_wall(file):
     material = file.add("materials", {"name": "plaster", "pbrMetallicRoughness": {
-        "baseColorFactor": [0.40, 0.39, 0.385, 1], "metallicFactor": 0, "roughnessFactor": 0.9}})
-    mesh = add_mesh(file, "wall", shapes.cove(9.0, -3.0, 0.6, 6.0, 16), material)
+        "baseColorFactor": [0.26, 0.32, 0.40, 1], "metallicFactor": 0, "roughnessFactor": 0.9}})
+    mesh = add_mesh(file, "wall", shapes.cove(12.0, -1.4, 0.4, 8.0, 24), material)
     return file.add("nodes", {"name": "wall", "mesh": mesh})
 
 
@@ -90,17 +90,17 @@ def add_spheres(file):
     attributes = {"attributes": {"POSITION": file.vectors(positions, "VEC3"),
                                  "NORMAL": file.vectors(normals, "VEC3")},
                   "indices": file.indices(triangles)}
-    copper = [0.98, 0.56, 0.32]
-    stops = [[0.01, 0.09, 0.32], [0.01, 0.30, 0.34], [0.05, 0.36, 0.12], [0.62, 0.42, 0.06],
-             [0.66, 0.14, 0.04]]
+    gold = [1.0, 0.78, 0.42]
+    stops = [[0.01, 0.22, 0.30], [0.02, 0.12, 0.50], [0.22, 0.07, 0.46], [0.55, 0.05, 0.25],
+             [0.75, 0.15, 0.07], [0.80, 0.42, 0.05]]
 
     def dielectric(t):
         position = t * (len(stops) - 1)
         i = min(int(position), len(stops) - 2)
         return mix(stops[i], stops[i + 1], position - i)
 
-    return (add_sphere_row(file, attributes, "copper", lambda _: copper, 1, 0.42, 0.98, -0.55)
-            + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.26, 0.80, 1.15))
+    return (add_sphere_row(file, attributes, "gold", lambda _: gold, 1, 0.46, 1.10, -0.65)
+            + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.385, 0.92, 1.35))
 
 
 def facing(position, target):
@@ -125,33 +125,34 @@ def add_emitter(file, name, shape, color, luminance_nits, position, target):
 
 def add_lights(file):
     nodes = [
-        add_emitter(file, "rectangle", shapes.rectangle(0.62, 2.3), [1.0, 0.42, 0.10], 2600,
-                    (-3.35, 1.30, -2.5), (-0.7, 1.0, 1.5)),
-        add_emitter(file, "hexagonal ring", shapes.hexagon_ring(1.16, 0.86), [0.06, 0.36, 1.0], 3000,
-                    (0.0, 2.02, -3.0), (0.0, 1.6, 1.2)),
-        add_emitter(file, "L", shapes.l_shape(1.5, 2.3, 0.42), [1.0, 0.08, 0.24], 3000,
-                    (3.15, 1.28, -2.5), (0.7, 1.0, 1.5)),
+        add_emitter(file, "rectangle", shapes.rectangle(1.9, 1.35), [1.0, 0.62, 0.22], 3600,
+                    (-2.85, 2.02, -1.2), (-2.3, 0.9, 1.6)),
+        add_emitter(file, "hexagonal ring", shapes.hexagon_ring(0.98, 0.60), [0.14, 0.46, 1.0], 4200,
+                    (0.0, 2.08, -1.2), (0.0, 0.9, 1.6)),
+        add_emitter(file, "L", shapes.l_shape(2.0, 1.55, 0.56), [1.0, 0.18, 0.30], 3800,
+                    (2.85, 2.02, -1.2), (2.3, 0.9, 1.6)),
     ]
+    soft_box = (-1.2, 4.1, 3.5)
     nodes.append(file.add("nodes", {
-        "name": "soft box", "translation": [-1.3, 4.4, 3.4],
-        "rotation": facing((-1.3, 4.4, 3.4), (0.0, 0.3, 0.2)),
+        "name": "soft box", "translation": list(soft_box),
+        "rotation": facing(soft_box, (-0.2, 0.3, 0.3)),
         "extensions": {"EXT_lights_area": {"light": 0}}}))
     nodes.append(file.add("nodes", {
-        "name": "bulb", "translation": [3.0, 3.2, 2.8],
+        "name": "bulb", "translation": [1.7, 2.2, 2.5],
         "extensions": {"KHR_lights_punctual": {"light": 0}}}))
     file.document["extensions"] = {
         "EXT_lights_area": {"lights": [{
-            "name": "soft box", "type": "rect", "color": [1.0, 0.90, 0.77], "intensity": 9000,
-            "size": 2.2, "rect": {"aspect": 1.6}}]},
+            "name": "soft box", "type": "rect", "color": [1.0, 0.96, 0.90], "intensity": 2600,
+            "size": 6.8, "rect": {"aspect": 1.5}}]},
         "KHR_lights_punctual": {"lights": [{
-            "name": "bulb", "type": "point", "color": [1.0, 0.80, 0.56], "intensity": 3200}]}}
+            "name": "bulb", "type": "point", "color": [1.0, 0.86, 0.68], "intensity": 5000}]}}
     return nodes
 
 
 def add_camera(file):
     camera = file.add("cameras", {"name": "camera", "type": "perspective", "perspective": {
-        "yfov": math.radians(27), "aspectRatio": 16 / 9, "znear": 0.1, "zfar": 100}})
-    position, target = (0.0, 2.05, 8.4), (0.0, 0.88, -0.5)
+        "yfov": math.radians(22), "aspectRatio": 16 / 9, "znear": 0.1, "zfar": 100}})
+    position, target = (0.0, 3.3, 11.2), (0.0, 0.84, -0.3)
     return file.add("nodes", {"name": "camera", "camera": camera, "translation": list(position),
                               "rotation": facing(position, target)})
 
