@@ -5,10 +5,15 @@
 
     tools/make_demo_scene.py [-o FILE]
 
-Two rows of spheres, copper behind and coloured dielectric in front, go from mirror (roughness 0, at
+Two rows of spheres, silver behind and coloured dielectric in front, go from mirror (roughness 0, at
 the left) to rough (1, at the right), on a parquet floor before a plain studio wall. Five lights:
 a rectangle, an L and a hexagonal ring as emissive meshes, one EXT_lights_area rectangle and one
 point light. Metres, +Y up, the camera looks along -Z. The same bytes on every run.
+
+How it is lit. Light is direct only, so a mirror shows the lights and is black elsewhere: the soft
+box above and before them is large, and the emissive shapes hang above the spheres, not behind them,
+where only the rims would mirror them. Every visible light is a few times as bright as white paper
+here, no more: brighter ones would lose their colour and their smooth edges in the tone map.
 """
 
 import argparse
@@ -50,7 +55,7 @@ def add_floor(file):
             "metallicRoughnessTexture": use("parquet roughness", roughnesses)}})
     # Texture coordinates are metres on the floor, turned by 45 degrees so that the herringbone
     # points away from the viewer; KHR_texture_transform scales them to the texture's period.
-    x, front, back, h = 9.0, 9.0, -3.0, math.sqrt(0.5)
+    x, front, back, h = 12.0, 14.0, -1.55, math.sqrt(0.5)
     corners = [(-x, 0.0, front), (x, 0.0, front), (x, 0.0, back), (-x, 0.0, back)]
     mesh = add_mesh(file, "floor", (corners, [(0.0, 1.0, 0.0)] * 4, [(0, 1, 2), (0, 2, 3)]),
                     material, [(h, 0.0, h, 1.0)] * 4,
@@ -60,8 +65,8 @@ def add_floor(file):
 
 def add_wall(file):
     material = file.add("materials", {"name": "plaster", "pbrMetallicRoughness": {
-        "baseColorFactor": [0.40, 0.39, 0.385, 1], "metallicFactor": 0, "roughnessFactor": 0.9}})
-    mesh = add_mesh(file, "wall", shapes.cove(9.0, -3.0, 0.6, 6.0, 16), material)
+        "baseColorFactor": [0.26, 0.34, 0.44, 1], "metallicFactor": 0, "roughnessFactor": 0.9}})
+    mesh = add_mesh(file, "wall", shapes.cove(12.0, -1.55, 0.35, 8.0, 24), material)
     return file.add("nodes", {"name": "wall", "mesh": mesh})
 
 
@@ -90,17 +95,17 @@ def add_spheres(file):
     attributes = {"attributes": {"POSITION": file.vectors(positions, "VEC3"),
                                  "NORMAL": file.vectors(normals, "VEC3")},
                   "indices": file.indices(triangles)}
-    copper = [0.98, 0.56, 0.32]
-    stops = [[0.01, 0.09, 0.32], [0.01, 0.30, 0.34], [0.05, 0.36, 0.12], [0.62, 0.42, 0.06],
-             [0.66, 0.14, 0.04]]
+    silver = [0.98, 0.97, 0.95]
+    stops = [[0.01, 0.22, 0.30], [0.02, 0.12, 0.50], [0.22, 0.07, 0.46], [0.55, 0.05, 0.25],
+             [0.75, 0.15, 0.07], [0.80, 0.42, 0.05]]
 
     def dielectric(t):
         position = t * (len(stops) - 1)
         i = min(int(position), len(stops) - 2)
         return mix(stops[i], stops[i + 1], position - i)
 
-    return (add_sphere_row(file, attributes, "copper", lambda _: copper, 1, 0.42, 0.98, -0.55)
-            + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.26, 0.80, 1.15))
+    return (add_sphere_row(file, attributes, "silver", lambda _: silver, 1, 0.46, 1.10, -1.05)
+            + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.385, 0.92, 0.95))
 
 
 def facing(position, target):
@@ -124,34 +129,39 @@ def add_emitter(file, name, shape, color, luminance_nits, position, target):
 
 
 def add_lights(file):
+    # The shapes hang less than a metre before the wall and shine both ways, so the wall glows.
     nodes = [
-        add_emitter(file, "rectangle", shapes.rectangle(0.62, 2.3), [1.0, 0.42, 0.10], 2600,
-                    (-3.35, 1.30, -2.5), (-0.7, 1.0, 1.5)),
-        add_emitter(file, "hexagonal ring", shapes.hexagon_ring(1.16, 0.86), [0.06, 0.36, 1.0], 3000,
-                    (0.0, 2.02, -3.0), (0.0, 1.6, 1.2)),
-        add_emitter(file, "L", shapes.l_shape(1.5, 2.3, 0.42), [1.0, 0.08, 0.24], 3000,
-                    (3.15, 1.28, -2.5), (0.7, 1.0, 1.5)),
+        add_emitter(file, "rectangle", shapes.rectangle(1.9, 1.4), [1.0, 0.54, 0.14], 3000,
+                    (-2.78, 2.04, -1.1), (-2.3, 0.7, 1.0)),
+        add_emitter(file, "hexagonal ring", shapes.hexagon_ring(0.98, 0.60),
+                    [0.13, 0.44, 1.0], 4300, (0.0, 2.08, -1.1), (0.0, 0.7, 1.0)),
+        add_emitter(file, "L", shapes.l_shape(1.9, 1.6, 0.56), [1.0, 0.16, 0.28], 3900,
+                    (2.78, 2.04, -1.1), (2.3, 0.7, 1.0)),
     ]
+    # Invisible to the camera. Its lower edge is high enough that the front row hides none of
+    # it from the mirrors behind.
+    soft_box = (-1.0, 4.3, 3.6)
     nodes.append(file.add("nodes", {
-        "name": "soft box", "translation": [-1.3, 4.4, 3.4],
-        "rotation": facing((-1.3, 4.4, 3.4), (0.0, 0.3, 0.2)),
+        "name": "soft box", "translation": list(soft_box),
+        "rotation": facing(soft_box, (-1.0, 0.4, 0.2)),
         "extensions": {"EXT_lights_area": {"light": 0}}}))
+    # Nearly on the line of sight of the shapes, so that their hard shadows hide behind them.
     nodes.append(file.add("nodes", {
-        "name": "bulb", "translation": [3.0, 3.2, 2.8],
+        "name": "bulb", "translation": [0.5, 3.1, 5.0],
         "extensions": {"KHR_lights_punctual": {"light": 0}}}))
     file.document["extensions"] = {
         "EXT_lights_area": {"lights": [{
-            "name": "soft box", "type": "rect", "color": [1.0, 0.90, 0.77], "intensity": 9000,
-            "size": 2.2, "rect": {"aspect": 1.6}}]},
+            "name": "soft box", "type": "rect", "color": [1.0, 0.97, 0.93], "intensity": 2900,
+            "size": 7.4, "rect": {"aspect": 1.5}}]},
         "KHR_lights_punctual": {"lights": [{
-            "name": "bulb", "type": "point", "color": [1.0, 0.80, 0.56], "intensity": 3200}]}}
+            "name": "bulb", "type": "point", "color": [1.0, 0.86, 0.68], "intensity": 10000}]}}
     return nodes
 
 
 def add_camera(file):
     camera = file.add("cameras", {"name": "camera", "type": "perspective", "perspective": {
-        "yfov": math.radians(27), "aspectRatio": 16 / 9, "znear": 0.1, "zfar": 100}})
-    position, target = (0.0, 2.05, 8.4), (0.0, 0.88, -0.5)
+        "yfov": math.radians(23), "aspectRatio": 16 / 9, "znear": 0.1, "zfar": 100}})
+    position, target = (0.0, 3.35, 10.8), (0.0, 0.79, -0.7)
     return file.add("nodes", {"name": "camera", "camera": camera, "translation": list(position),
                               "rotation": facing(position, target)})
 

@@ -83,8 +83,9 @@ def wood_at(x, y):
     shade = (0.55 + 0.75 * tone) * (0.74 + 0.34 * ring) * (0.86 + 0.28 * fibre) * (1 - 0.45 * pore)
     shade *= (0.85 + 0.3 * blotch) * (1 - 0.8 * joint)
     warmth = 0.5 + 0.35 * (tone - 0.5) + 0.3 * (ring - 0.5)
-    rgb = (shade * 0.190, shade * (0.098 + 0.012 * (1 - warmth)), shade * (0.046 + 0.022 * (1 - warmth)))
-    roughness = 0.15 + 0.13 * gloss + 0.07 * blotch + 0.06 * fibre + 0.18 * pore + 0.35 * joint
+    rgb = (shade * 0.215, shade * (0.118 + 0.014 * (1 - warmth)),
+           shade * (0.061 + 0.022 * (1 - warmth)))
+    roughness = 0.10 + 0.10 * gloss + 0.05 * blotch + 0.04 * fibre + 0.14 * pore + 0.35 * joint
     slopes = (tilt_along, tilt_across) if is_along_x else (tilt_across, tilt_along)
     return height, rgb, roughness, slopes[0], slopes[1]
 
