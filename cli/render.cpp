@@ -3,6 +3,7 @@
 //
 // openltc render: a picture of a glTF scene.
 
+#include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/picture_output.h"
 
@@ -21,7 +22,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -270,7 +270,9 @@ int run_render(const RenderArguments& arguments) {
         {"ev100", image::ev100_from_exposure(*exposure)},
         {"outputs", arguments.outputs},
     };
-    fmt::print("{}\n", report.dump(2));
+    // A path may hold any bytes; they must not break the output.
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    fmt::print("{}\n", report.dump(2, ' ', false, replace));
   } else if (!arguments.quiet) {
     fmt::print(stderr, "{}x{}, {} samples per pixel, {}: {:.2f} s; EV100 {:.2f}\n", options.width,
                options.height, options.samples, picture->kernel, picture->render_seconds,
@@ -302,12 +304,12 @@ void add_render(CLI::App& app, int& exit_code) {
                       "File to write, may be repeated; .exr and .hdr hold scene-linear radiance in "
                       "nits, .png an exposed, tone-mapped picture [SCENE.png in this folder]")
       ->allow_extra_args(false);
-  const std::map<std::string, render::Integrator> integrators = {
+  const Choices<render::Integrator> integrators = {
       {"ltc", render::Integrator::ltc}, {"reference", render::Integrator::reference}};
   command->add_option("--integrator", a.integrator,
                       "ltc: closed form times sampled shadows; reference: unbiased sampling with "
                       "the true BRDF, and a layer \"stderr\" with its standard error [ltc]")
-      ->transform(CLI::CheckedTransformer(integrators).description("ltc|reference"));
+      ->transform(one_of(integrators));
   command->add_option("--samples", a.samples,
                       "Camera samples per pixel [8; reference 256, each with one light sample]")
       ->check(CLI::Range(1, 1 << 20));
@@ -316,19 +318,19 @@ void add_render(CLI::App& app, int& exit_code) {
                       "all shadows off")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
-  const std::map<std::string, render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
+  const Choices<render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
                                                              {"ltc", render::PunctualForm::ltc}};
   command->add_option("--point-lights", a.point_lights,
                       "Point, spot and directional lights by the exact BRDF or by the density of "
                       "its LTC lobe [exact]")
-      ->transform(CLI::CheckedTransformer(forms).description("exact|ltc"));
-  const std::map<std::string, LightChoice> choices = {
+      ->transform(one_of(forms));
+  const Choices<LightChoice> choices = {
       {"auto", LightChoice::automatic}, {"scene", LightChoice::scene},
       {"studio", LightChoice::studio}, {"both", LightChoice::both}};
   command->add_option("--lights", a.lights,
                       "Which lights: those of the scene, a studio rig of three soft boxes, or both "
                       "[scene; studio where it has none]")
-      ->transform(CLI::CheckedTransformer(choices).description("scene|studio|both"));
+      ->transform(one_of(choices));
   command->add_option("--camera", a.camera,
                       "Camera by name or number from 0; \"frame\" shows the whole scene [the first]");
   command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]");
@@ -337,12 +339,12 @@ void add_render(CLI::App& app, int& exit_code) {
                       "studio rig alone 0.03, a dark grey]");
   command->add_option("--exposure", a.exposure, "EV100 or \"auto\"; for .png only")
       ->capture_default_str();
-  const std::map<std::string, image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
+  const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
                                                           {"aces", image::Tonemap::aces},
                                                           {"none", image::Tonemap::none}};
   command->add_option("--tonemap", a.display.tonemap,
                       "For .png: Khronos PBR Neutral, ACES, or none [neutral]")
-      ->transform(CLI::CheckedTransformer(tonemaps).description("neutral|aces|none"));
+      ->transform(one_of(tonemaps));
   command->add_flag("--half", a.half, "Write .exr in half precision");
   command->add_option("--table", a.table, "Lobe table from openltc fit (.json) [built-in GGX]");
   command->add_option("--seed", a.seed, "Seed of the sampling")->capture_default_str();
