@@ -3,8 +3,9 @@
 //
 // openltc inspect: what a file is.
 
+#include "cli/inspect.h"
+
 #include "cli/commands.h"
-#include "openltc/table/table_file.h"
 
 #include <fmt/format.h>
 
@@ -19,54 +20,70 @@ namespace openltc::cli {
 
 namespace {
 
-Result<std::string> describe_table_file(const std::string& path) {
-  const Result<table::LobeTable> read = table::read_table(path);
-  if (!read) return read.error();
-  const table::LobeTable& t = *read;
-  const table::TableMetadata& m = t.metadata;
-  std::string text =
-      fmt::format("lobe table, {} x {} nodes over roughness and view angle\n", t.size, t.size);
-  text += fmt::format("brdf       {} ({})\n", m.brdf, m.variant);
-  text += fmt::format("objective  {}\n", m.objective);
-  text += fmt::format("made by    {} (OpenLTC {})\n", m.command, m.tool_version);
-  text +=
-      fmt::format("mean TV    {}   max {}   roughness .06-1, interpolated\n", m.mean_tv, m.max_tv);
-  const char* const names[] = {"A", "B", "C", "D", "n1", "n5"};
-  for (int k = 0; k < 6; ++k) {
-    float low = t.texels[std::size_t(k)], high = low;
-    for (std::size_t i = std::size_t(k); i < t.texels.size(); i += table::LobeTable::k_channels) {
-      low = std::min(low, t.texels[i]);
-      high = std::max(high, t.texels[i]);
-    }
-    text += fmt::format("{:<10} {:.6g} to {:.6g}\n", names[k], low, high);
-  }
-  return text;
-}
+struct InspectArguments {
+  std::string path;
+  bool json = false;
+};
 
-int run_inspect(const std::string& path) {
+struct Kind {
+  const char* extension;
+  Result<Description> (*inspect)(const std::string& path);
+};
+constexpr Kind k_kinds[] = {
+    {".gltf", inspect_scene},   {".glb", inspect_scene},   {".exr", inspect_picture},
+    {".hdr", inspect_picture},  {".png", inspect_picture}, {".jpg", inspect_picture},
+    {".jpeg", inspect_picture}, {".json", inspect_table},
+};
+
+Result<Description> describe(const std::string& path) {
+  std::error_code ec;
+  const auto status = std::filesystem::status(path, ec);
+  if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
+  if (std::filesystem::is_directory(status)) return Error{fmt::format("{}: is a directory", path)};
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
-  Result<std::string> text =
-      Error{fmt::format("{}: cannot tell what it is; known is .json (a lobe table)", path)};
-  if (extension == ".json") text = describe_table_file(path);
-  if (!text) {
-    fmt::print(stderr, "openltc inspect: {}\n", text.error().message);
+  for (const Kind& kind : k_kinds)
+    if (extension == kind.extension) return kind.inspect(path);
+  return Error{fmt::format("{}: cannot tell what it is; known are scenes (.gltf .glb), pictures "
+                           "(.exr .hdr .png .jpg) and lobe tables (.json)",
+                           path)};
+}
+
+int run_inspect(const InspectArguments& arguments) {
+  const Result<Description> description = describe(arguments.path);
+  if (!description) {
+    fmt::print(stderr, "openltc inspect: {}\n", description.error().message);
     return k_exit_failed;
   }
-  fmt::print("{}", *text);
+  if (!arguments.json) {
+    fmt::print("{}", description->text);
+    return k_exit_ok;
+  }
+  // Names and paths may hold any bytes; they must not break the output.
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  fmt::print("{}\n", description->json.dump(2, ' ', false, replace));
   return k_exit_ok;
 }
 
 } // namespace
 
 void add_inspect(CLI::App& app, int& exit_code) {
-  auto path = std::make_shared<std::string>();
+  auto arguments = std::make_shared<InspectArguments>();
   CLI::App* command = app.add_subcommand(
-      "inspect", "Say what a file is: a lobe table (.json) with its metadata and ranges.\n\n"
-                 "Example:\n  openltc fit -o ggx.json && openltc inspect ggx.json");
-  command->add_option("file", *path, "File to look at")->required();
-  command->callback([path, &exit_code] { exit_code = run_inspect(*path); });
+      "inspect",
+      "Say what a file is.\n\n"
+      "A scene (.gltf .glb): geometry, cameras by number and name, lights in nits, candela and\n"
+      "lumens, and what the importer warns about. A picture (.exr .hdr .png .jpg): size, layers,\n"
+      "range and mean of each channel, NaN and infinities, and for scene-linear ones the exposure\n"
+      "that --exposure auto would choose. A lobe table (.json): its metadata and ranges.\n\n"
+      "Examples:\n"
+      "  openltc inspect room.glb\n"
+      "  openltc inspect truth.exr --json\n"
+      "  openltc fit -o ggx.json && openltc inspect ggx.json");
+  command->add_option("file", arguments->path, "File to look at")->required();
+  command->add_flag("--json", arguments->json, "Print as JSON");
+  command->callback([arguments, &exit_code] { exit_code = run_inspect(*arguments); });
 }
 
 } // namespace openltc::cli

@@ -3,7 +3,27 @@
 
 #include "cli/commands.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+namespace {
+
+// What was wrong with the arguments, and where to read on: one line.
+std::string usage_message(const CLI::App* app, const CLI::Error& error) {
+  std::string command = "openltc";
+  for (const CLI::App* chosen : app->get_subcommands())
+    command += " " + chosen->get_name();
+  std::string what = error.what();
+  std::replace(what.begin(), what.end(), '\n', ' ');
+  return fmt::format("{0}: {1}; see {0} --help\n", command, what);
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"OpenLTC: physically based area lights, noise-free.\n"
@@ -12,7 +32,7 @@ int main(int argc, char** argv) {
   app.name("openltc");
   app.set_version_flag("--version", "openltc " OPENLTC_VERSION);
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::simple);
+  app.failure_message(usage_message);
 
   int exit_code = openltc::cli::k_exit_ok;
 #define OPENLTC_COMMAND(name) openltc::cli::add_##name(app, exit_code);
@@ -24,6 +44,12 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     const int code = app.exit(e);
     return code == 0 ? openltc::cli::k_exit_ok : openltc::cli::k_exit_usage;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "openltc: not enough memory for this job\n");
+    return openltc::cli::k_exit_failed;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "openltc: {}\n", e.what());
+    return openltc::cli::k_exit_failed;
   }
   return exit_code;
 }

@@ -10,7 +10,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
 namespace openltc::cli {
@@ -41,8 +44,14 @@ Status check_output(const std::string& path) {
   if (folder.empty()) folder = ".";
   if (!fs::is_directory(folder, ec))
     return Error{fmt::format("{}: the folder {} does not exist", path, folder.string())};
-  if (access(folder.c_str(), W_OK) != 0)
-    return Error{fmt::format("{}: the folder {} is not writable", path, folder.string())};
+  // Permission bits do not tell all (root, read-only and virtual file systems): try it.
+  std::string probe = (folder / ".openltc-XXXXXX").string();
+  const int file = mkstemp(probe.data());
+  if (file < 0)
+    return Error{fmt::format("{}: cannot write in the folder {}: {}", path, folder.string(),
+                             std::strerror(errno))};
+  close(file);
+  unlink(probe.c_str());
   return Success{};
 }
 

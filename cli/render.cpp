@@ -3,6 +3,7 @@
 //
 // openltc render: a picture of a glTF scene.
 
+#include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/picture_output.h"
 
@@ -21,7 +22,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +61,8 @@ constexpr int k_default_samples_reference = 256;
 // Behind what a studio rig lights: dark enough to set it off, bright enough to show dark outlines.
 // Relative to a white card of 1 nit.
 constexpr float k_studio_background_nits = 0.03f;
+// What makes that card a bright white that is not blown out where the fill light adds to the key.
+constexpr float k_studio_exposure = 0.75f;
 
 int fail(const std::string& message, ExitCode code = k_exit_failed) {
   fmt::print(stderr, "openltc render: {}\n", message);
@@ -128,32 +130,38 @@ bool only_glows(const light::Lights& lights) {
   return true;
 }
 
-/// Leaves in `scene` the lights that `choice` asks for, and in `choice` what "automatic" came to.
-/// Returns what to tell the user, if anything.
-std::string choose_lights(scene::Scene& scene, LightChoice& choice, const scene::Camera& camera) {
-  std::string message;
+struct LightsChosen {
+  std::string message;      ///< for the user, may be empty
+  bool studio_level = false; ///< lit by the rig at its own level, a white card at 1 nit
+};
+
+/// Leaves in `scene` the lights that `choice` asks for.
+LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene::Camera& camera) {
+  LightsChosen chosen;
   if (choice == LightChoice::automatic) {
     choice = LightChoice::scene;
     if (scene.lights.empty()) {
       choice = LightChoice::studio;
-      message = "no lights in the file: lit by a studio rig of three soft boxes (--lights)";
+      chosen.message = "no lights in the file: lit by a studio rig of three soft boxes (--lights)";
     } else if (only_glows(scene.lights)) {
       choice = LightChoice::both;
-      message = "the only lights in the file are surfaces that emit 1 nit or less: a studio rig is "
-                "added (--lights scene leaves it out)";
+      chosen.message = "the only lights in the file are surfaces that emit 1 nit or less: a studio "
+                       "rig is added (--lights scene leaves it out)";
     }
   }
-  if (choice == LightChoice::scene) return message;
+  if (choice == LightChoice::scene) return chosen;
   if (choice == LightChoice::studio) scene.lights = {};
   // Beside other lights the rig is as bright as they are.
-  const double level = only_glows(scene.lights)
-                           ? 1.0
-                           : scene::white_level_nits(scene.lights, scene.bounds);
+  double level = 1.0;
+  if (!scene.lights.empty() && !only_glows(scene.lights))
+    level = scene::white_level_nits(scene.lights, scene.bounds);
+  else
+    chosen.studio_level = true;
   const light::Lights studio =
       scene::studio_lights(scene.bounds, camera, level > 0 && std::isfinite(level) ? level : 1.0);
   auto& polygons = scene.lights.polygons;
   polygons.insert(polygons.end(), studio.polygons.begin(), studio.polygons.end());
-  return message;
+  return chosen;
 }
 
 int run_render(const RenderArguments& arguments) {
@@ -208,10 +216,11 @@ int run_render(const RenderArguments& arguments) {
   if (!camera) return fail(camera.error().message);
   if (!size_given && camera->aspect > 0)
     options.width = std::clamp(int(float(options.height) * camera->aspect + 0.5f), 16, 8192);
-  LightChoice light_choice = arguments.lights;
-  const std::string light_message = choose_lights(scene, light_choice, *camera);
-  if (!background_given && light_choice == LightChoice::studio)
-    options.background = Vec3f(k_studio_background_nits);
+  const LightsChosen lights = choose_lights(scene, arguments.lights, *camera);
+  if (lights.studio_level) {
+    if (!background_given) options.background = Vec3f(k_studio_background_nits);
+    if (arguments.exposure == "auto") display.ev100 = image::ev100_from_exposure(k_studio_exposure);
+  }
 
   table::LobeTable own_table;
   if (!arguments.table.empty()) {
@@ -230,7 +239,7 @@ int run_render(const RenderArguments& arguments) {
     fmt::print(stderr, "{}: {} triangles, {} polygon and {} punctual lights, loaded in {:.2f} s\n",
                arguments.scene, triangles, scene.lights.polygons.size(),
                scene.lights.punctual.size(), load_seconds);
-    if (!light_message.empty()) fmt::print(stderr, "{}\n", light_message);
+    if (!lights.message.empty()) fmt::print(stderr, "{}\n", lights.message);
     if (scene.lights.empty())
       fmt::print(stderr, "warning: the scene has no light; --lights studio adds one\n");
   }
@@ -272,7 +281,9 @@ int run_render(const RenderArguments& arguments) {
         {"ev100", image::ev100_from_exposure(*exposure)},
         {"outputs", arguments.outputs},
     };
-    fmt::print("{}\n", report.dump(2));
+    // A path may hold any bytes; they must not break the output.
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    fmt::print("{}\n", report.dump(2, ' ', false, replace));
   } else if (!arguments.quiet) {
     fmt::print(stderr, "{}x{}, {} samples per pixel, {}: {:.2f} s; EV100 {:.2f}\n", options.width,
                options.height, options.samples, picture->kernel, picture->render_seconds,
@@ -304,12 +315,12 @@ void add_render(CLI::App& app, int& exit_code) {
                       "File to write, may be repeated; .exr and .hdr hold scene-linear radiance in "
                       "nits, .png an exposed, tone-mapped picture [SCENE.png in this folder]")
       ->allow_extra_args(false);
-  const std::map<std::string, render::Integrator> integrators = {
+  const Choices<render::Integrator> integrators = {
       {"ltc", render::Integrator::ltc}, {"reference", render::Integrator::reference}};
   command->add_option("--integrator", a.integrator,
                       "ltc: closed form times sampled shadows; reference: unbiased sampling with "
                       "the true BRDF, and a layer \"stderr\" with its standard error [ltc]")
-      ->transform(CLI::CheckedTransformer(integrators).description("ltc|reference"));
+      ->transform(one_of(integrators));
   command->add_option("--samples", a.samples,
                       "Camera samples per pixel [8; reference 256, each with one light sample]")
       ->check(CLI::Range(1, 1 << 20));
@@ -318,40 +329,40 @@ void add_render(CLI::App& app, int& exit_code) {
                       "all shadows off")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
-  const std::map<std::string, render::PixelFilter> filters = {
+  const Choices<render::PixelFilter> filters = {
       {"blackman-harris", render::PixelFilter::blackman_harris},
       {"none", render::PixelFilter::none}};
   command->add_option("--filter", a.filter,
                       "Reconstruction filter; none: all rays through the middle of the pixel, to "
                       "compare light without edges [blackman-harris]")
-      ->transform(CLI::CheckedTransformer(filters).description("blackman-harris|none"));
-  const std::map<std::string, render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
-                                                             {"ltc", render::PunctualForm::ltc}};
+      ->transform(one_of(filters));
+  const Choices<render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
+                                               {"ltc", render::PunctualForm::ltc}};
   command->add_option("--point-lights", a.point_lights,
                       "Point, spot and directional lights by the exact BRDF or by the density of "
                       "its LTC lobe [exact]")
-      ->transform(CLI::CheckedTransformer(forms).description("exact|ltc"));
-  const std::map<std::string, LightChoice> choices = {
+      ->transform(one_of(forms));
+  const Choices<LightChoice> choices = {
       {"auto", LightChoice::automatic}, {"scene", LightChoice::scene},
       {"studio", LightChoice::studio}, {"both", LightChoice::both}};
   command->add_option("--lights", a.lights,
                       "Which lights: those of the scene, a studio rig of three soft boxes, or both "
                       "[scene; studio where it has none]")
-      ->transform(CLI::CheckedTransformer(choices).description("scene|studio|both"));
+      ->transform(one_of(choices));
   command->add_option("--camera", a.camera,
                       "Camera by name or number from 0; \"frame\" shows the whole scene [the first]");
   command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]");
   command->add_option("--background", a.background,
                       "Radiance where nothing is hit, in nits: one number or R,G,B [0; with the "
                       "studio rig alone 0.03, a dark grey]");
-  command->add_option("--exposure", a.exposure, "EV100 or \"auto\"; for .png only")
+  command->add_option("--exposure", a.exposure, "EV100 or \"auto\", from the picture or for the studio rig; for .png only")
       ->capture_default_str();
-  const std::map<std::string, image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
+  const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
                                                           {"aces", image::Tonemap::aces},
                                                           {"none", image::Tonemap::none}};
   command->add_option("--tonemap", a.display.tonemap,
                       "For .png: Khronos PBR Neutral, ACES, or none [neutral]")
-      ->transform(CLI::CheckedTransformer(tonemaps).description("neutral|aces|none"));
+      ->transform(one_of(tonemaps));
   command->add_flag("--half", a.half, "Write .exr in half precision");
   command->add_option("--table", a.table, "Lobe table from openltc fit (.json) [built-in GGX]");
   command->add_option("--seed", a.seed, "Seed of the sampling")->capture_default_str();

@@ -9,6 +9,7 @@
 #include "openltc/base/parallel.h"
 #include "openltc/base/progress.h"
 #include "openltc/base/sampling.h"
+#include "openltc/image/file.h"
 #include "openltc/render/camera_rays.h"
 #include "openltc/render/light_set.h"
 #include "openltc/render/point_buffer.h"
@@ -69,6 +70,7 @@ public:
       ratio_sums_.assign(std::size_t(job_.context.polygon_count * k_ratio_sum_count * pixels), 0.0f);
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
+      if (interrupted()) return;
       const int count = std::min(chunk, samples - first);
       samples_.assign(std::size_t(pixels * count), Vec3f(0.0f));
       for (int s = 0; s < count; ++s)
@@ -204,6 +206,9 @@ Status check(const RenderOptions& o) {
   if (o.width < 1 || o.height < 1 || o.width > k_max_size || o.height > k_max_size)
     return Error{fmt::format("picture size {}x{}: each side must be 1 to {} pixels", o.width,
                              o.height, k_max_size)};
+  if (std::size_t(o.width) * std::size_t(o.height) > image::k_max_pixels)
+    return Error{fmt::format("picture size {}x{}: more than {} million pixels in all", o.width,
+                             o.height, image::k_max_pixels / 1000000)};
   if (o.samples < 1 || o.samples > (1 << 20))
     return Error{fmt::format("samples per pixel: {} is not in 1 to {}", o.samples, 1 << 20)};
   if (o.shadow_samples < 0 || o.shadow_samples > 4096)

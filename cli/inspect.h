@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// What openltc inspect says about a file, one function per kind of file.
+
+#pragma once
+
+#include "openltc/base/result.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace openltc::cli {
+
+/// The same facts twice: for people, lines that end in a newline, and for programs.
+struct Description {
+  std::string text;
+  nlohmann::ordered_json json;
+};
+
+/// A lobe table, .json.
+Result<Description> inspect_table(const std::string& path);
+/// A picture, .exr .hdr .png .jpg: size, layers, range of each channel, exposure.
+Result<Description> inspect_picture(const std::string& path);
+/// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, warnings.
+Result<Description> inspect_scene(const std::string& path);
+
+} // namespace openltc::cli

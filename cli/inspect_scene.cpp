@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Lights in the units in which lamps are sold and measured: luminance in nits, intensity in
+// candela, flux in lumens. A light's colour is weighed by Rec.709 luminance.
+
+#include "cli/inspect.h"
+#include "openltc/image/tonemap.h"
+#include "openltc/light/polygon.h"
+#include "openltc/scene/gltf.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace openltc::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A curved emitter can be thousands of lights; more than these are only in the JSON.
+constexpr std::size_t k_max_listed = 24;
+
+double degrees(double angle_rad) {
+  return angle_rad * 180 / std::numbers::pi;
+}
+
+Json numbers(Vec3f v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+void describe_geometry(const scene::Scene& scene, Description& out) {
+  std::size_t triangles = 0, vertices = 0;
+  for (const scene::Mesh& mesh : scene.meshes) {
+    triangles += mesh.triangles.size();
+    vertices += mesh.positions.size();
+  }
+  const Vec3f size = scene.bounds.upper - scene.bounds.lower;
+  const Vec3f low = scene.bounds.lower, high = scene.bounds.upper;
+  out.text += fmt::format(
+      "scene, {} meshes, {} triangles, {} vertices, {} materials, {} textures\n",
+      scene.meshes.size(), triangles, vertices, scene.materials.size(), scene.textures.size());
+  out.text += fmt::format("bounds     {:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g}) to "
+                          "({:.4g}, {:.4g}, {:.4g})\n",
+                          size.x, size.y, size.z, low.x, low.y, low.z, high.x, high.y, high.z);
+  out.json["meshes"] = scene.meshes.size();
+  out.json["triangles"] = triangles;
+  out.json["vertices"] = vertices;
+  out.json["materials"] = Json::array();
+  for (const scene::Material& material : scene.materials)
+    out.json["materials"].push_back(material.name);
+  out.json["textures"] = Json::array();
+  for (const scene::Texture& texture : scene.textures)
+    out.json["textures"].push_back(
+        {{"width", texture.image.width}, {"height", texture.image.height}});
+  out.json["bounds_m"] = {{"lower", numbers(low)}, {"upper", numbers(high)}};
+}
+
+void describe_cameras(const scene::Scene& scene, Description& out) {
+  out.json["cameras"] = Json::array();
+  if (scene.cameras.empty()) out.text += "camera     none; the scene will be framed\n";
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    const scene::Camera& camera = scene.cameras[i];
+    const bool is_perspective = camera.projection == scene::Projection::perspective;
+    Json json = {{"number", i}, {"name", camera.name}};
+    json["type"] = is_perspective ? "perspective" : "orthographic";
+    json["position_m"] = numbers(camera.position);
+    if (is_perspective)
+      json["fov_y_degrees"] = degrees(double(camera.fov_y_rad));
+    else
+      json["height_m"] = camera.height;
+    if (camera.aspect > 0) json["aspect"] = camera.aspect;
+    out.json["cameras"].push_back(json);
+    out.text +=
+        fmt::format("camera     {} \"{}\": {}\n", i, camera.name,
+                    is_perspective ? fmt::format("perspective, {:.1f} degrees high",
+                                                 degrees(double(camera.fov_y_rad)))
+                                   : fmt::format("orthographic, {:.4g} m high", camera.height));
+  }
+}
+
+/// Width and height of the outlines along their longest edge and across it, in metres.
+Vec2d extent_of(const light::PolygonLight& light) {
+  Vec3f along(0.0f);
+  for (std::size_t r = 0; r < light.ring_end.size(); ++r) {
+    const auto ring = light::ring_vertices(light, r);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec3f edge = ring[(i + 1) % ring.size()] - ring[i];
+      if (dot(edge, edge) > dot(along, along) * 1.0001f) along = edge;
+    }
+  }
+  if (!(dot(along, along) > 0)) return {0, 0};
+  along = normalize(along);
+  const Vec3f across = cross(light.normal, along);
+  Vec2d low{0, 0}, high{0, 0};
+  for (const Vec3f vertex : light.vertices) {
+    const Vec3f offset = vertex - light.vertices[0];
+    const Vec2d p{double(dot(offset, along)), double(dot(offset, across))};
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return high - low;
+}
+
+void describe_polygon(const light::PolygonLight& light, Description& out, bool is_listed) {
+  const double area = light::area(light);
+  const Vec2d size = extent_of(light);
+  const double lumens = double(image::luminance(light::flux_lumens(light)));
+  std::size_t holes = 0;
+  for (std::size_t r = 0; r < light.ring_end.size(); ++r)
+    holes += light::signed_ring_area(light::ring_vertices(light, r), light.normal) < 0;
+  const float nits = image::luminance(light.radiance);
+  out.json["lights"].push_back({{"name", light.name},
+                                {"type", "polygon"},
+                                {"corners", light.vertices.size()},
+                                {"holes", holes},
+                                {"two_sided", light.two_sided},
+                                {"size_m", Json::array({size.x, size.y})},
+                                {"area_m2", area},
+                                {"radiance_nits", numbers(light.radiance)},
+                                {"luminance_nits", nits},
+                                {"flux_lumens", lumens}});
+  if (is_listed)
+    out.text += fmt::format(
+        "light      \"{}\": polygon of {} corners{}, {:.4g} x {:.4g} m, {:.4g} m2, {:.4g} nits, "
+        "{:.4g} lm{}\n",
+        light.name, light.vertices.size(),
+        holes == 0 ? "" : fmt::format(" and {} hole{}", holes, holes > 1 ? "s" : ""), size.x,
+        size.y, area, nits, lumens, light.two_sided ? ", two-sided" : "");
+}
+
+void describe_punctual(const light::PunctualLight& light, Description& out, bool is_listed) {
+  const double strength = double(image::luminance(light.intensity));
+  const char* const type = light.type == light::PunctualType::point  ? "point"
+                           : light.type == light::PunctualType::spot ? "spot"
+                                                                     : "directional";
+  Json json = {{"name", light.name}, {"type", type}};
+  std::string text;
+  if (light.type == light::PunctualType::directional) {
+    json["illuminance_lux"] = strength;
+    text = fmt::format("{:.4g} lux", strength);
+  } else {
+    json["position_m"] = numbers(light.position);
+    json["intensity_candela"] = strength;
+    text = fmt::format("{:.4g} cd", strength);
+  }
+  if (light.type == light::PunctualType::point) {
+    const double lumens = 4 * std::numbers::pi * strength;
+    json["flux_lumens"] = lumens;
+    text += fmt::format(", {:.4g} lm", lumens);
+  }
+  if (light.type == light::PunctualType::spot) {
+    const double inner = degrees(std::acos(std::clamp(double(light.cos_inner), -1.0, 1.0)));
+    const double outer = degrees(std::acos(std::clamp(double(light.cos_outer), -1.0, 1.0)));
+    json["inner_cone_degrees"] = inner;
+    json["outer_cone_degrees"] = outer;
+    text += fmt::format(", cone {:.1f} to {:.1f} degrees from its axis", inner, outer);
+  }
+  if (light.range > 0) {
+    json["range_m"] = light.range;
+    text += fmt::format(", range {:.4g} m", light.range);
+  }
+  out.json["lights"].push_back(json);
+  if (is_listed) out.text += fmt::format("light      \"{}\": {}, {}\n", light.name, type, text);
+}
+
+void describe_lights(const light::Lights& lights, Description& out) {
+  out.json["lights"] = Json::array();
+  std::size_t listed = 0;
+  for (const light::PolygonLight& light : lights.polygons)
+    describe_polygon(light, out, listed++ < k_max_listed);
+  for (const light::PunctualLight& light : lights.punctual)
+    describe_punctual(light, out, listed++ < k_max_listed);
+  if (listed == 0) out.text += "light      none; a studio rig will light it\n";
+  if (listed > k_max_listed)
+    out.text +=
+        fmt::format("light      and {} more; --json lists them all\n", listed - k_max_listed);
+}
+
+} // namespace
+
+Result<Description> inspect_scene(const std::string& path) {
+  const Result<scene::Scene> scene = scene::load_gltf(path);
+  if (!scene) return scene.error();
+  Description out;
+  out.json = {{"file", path}, {"kind", "scene"}};
+  describe_geometry(*scene, out);
+  describe_cameras(*scene, out);
+  describe_lights(scene->lights, out);
+  out.json["warnings"] = scene->warnings;
+  for (const std::string& warning : scene->warnings)
+    out.text += fmt::format("warning    {}\n", warning);
+  return out;
+}
+
+} // namespace openltc::cli
