@@ -60,9 +60,9 @@ constexpr int k_default_samples_ltc = 8;
 constexpr int k_default_samples_reference = 256;
 // Behind what a studio rig lights: dark enough to set it off, bright enough to show dark outlines.
 // Relative to a white card of 1 nit.
-constexpr float k_studio_background_nits = 0.03f;
-// What makes that card a bright white that is not blown out where the fill light adds to the key.
-constexpr float k_studio_exposure = 0.75f;
+constexpr float k_studio_background_nits = 0.07f;
+// Brings that card just to white; the neutral tone curve keeps what the fill light adds.
+constexpr float k_studio_exposure = 1.2f;
 
 int fail(const std::string& message, ExitCode code = k_exit_failed) {
   fmt::print(stderr, "openltc render: {}\n", message);
@@ -354,7 +354,7 @@ void add_render(CLI::App& app, int& exit_code) {
   command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]");
   command->add_option("--background", a.background,
                       "Radiance where nothing is hit, in nits: one number or R,G,B [0; with the "
-                      "studio rig alone 0.03, a dark grey]");
+                      "studio rig alone 0.07, a dark grey]");
   command->add_option("--exposure", a.exposure, "EV100 or \"auto\", from the picture or for the studio rig; for .png only")
       ->capture_default_str();
   const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
