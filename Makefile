@@ -41,7 +41,7 @@ sanitize: setup ## Run all tests under the address and undefined-behaviour sanit
 fuzz: setup ## Fuzz the importer for FUZZ_SECONDS (60)
 	@test -n "$(FUZZ_CXX)" || { echo "make fuzz needs clang (package clang-14)" >&2; exit 1; }
 	cmake --preset fuzz -DCMAKE_CXX_COMPILER=$(FUZZ_CXX)
-	cmake --build --preset fuzz --parallel $(JOBS)
+	cmake --build --preset fuzz --parallel $(JOBS) --target fuzz
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) tools/fuzz.sh build/fuzz
 
 clean: ## Delete everything built and rendered

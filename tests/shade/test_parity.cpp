@@ -165,7 +165,9 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"shade_polygon", 1e-5},
       // rays that graze the polygon's plane
       {"intersect_polygon", 1e-3}};
-  for (const auto& [name, worst] : result.worst) {
+  for (const auto& entry : result.worst) {
+    const std::string& name = entry.first;
+    const double worst = entry.second;
     CAPTURE(name);
     const auto bound = bounds.find(name);
     CHECK(worst <= (bound != bounds.end() ? bound->second : 1.2e-6));
@@ -192,7 +194,9 @@ TEST_CASE("float follows double in every function") {
   MESSAGE("largest difference ", result.largest, " in ", result.where,
           "; choices that fell differently ", result.flipped);
   CHECK(result.finite);
-  for (const auto& [name, worst] : result.worst) {
+  for (const auto& entry : result.worst) {
+    const std::string& name = entry.first;
+    const double worst = entry.second;
     CAPTURE(name);
     CHECK(worst < 2e-4);
   }
