@@ -4,6 +4,7 @@
 // openltc compare A B: how far picture A is from its reference B.
 
 #include "cli/commands.h"
+#include "cli/output_place.h"
 #include "openltc/image/difference.h"
 #include "openltc/image/file.h"
 #include "openltc/image/flip.h"
@@ -283,6 +284,8 @@ void print_table(const Options& options, const Image& a, const image::Metrics& m
 }
 
 Status run(const Options& options) {
+  if (!options.diff.empty())
+    if (Status ok = check_place(options.diff); !ok) return ok;
   Result<Image> a = image::read(options.a);
   if (!a) return a.error();
   Result<Image> b = image::read(options.b);

@@ -4,6 +4,7 @@
 // openltc fit: from a BRDF to a lobe table and the report of its error.
 
 #include "cli/commands.h"
+#include "cli/output_place.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/brdf/brdf.h"
 #include "openltc/fit/error.h"
@@ -87,6 +88,13 @@ int run_fit(const FitArguments& arguments) {
   const brdf::Brdf* brdf = brdf::find_brdf(arguments.brdf);
   fit::TableFitOptions options;
   options.size = arguments.size;
+
+  for (const std::string& path : arguments.outputs) {
+    if (Status status = table::check_writable_extension(path); !status) return fail(status.error());
+    if (Status status = check_place(path); !status) return fail(status.error());
+  }
+  if (!arguments.report.empty())
+    if (Status status = check_place(arguments.report); !status) return fail(status.error());
 
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto begin = std::chrono::steady_clock::now();

@@ -19,6 +19,8 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   for (const CLI::App* chosen : app->get_subcommands())
     command += " " + chosen->get_name();
   std::string what = error.what();
+  if (app->get_subcommands().empty() && !app->remaining().empty())
+    what = fmt::format("no command or option '{}'", app->remaining()[0]);
   std::replace(what.begin(), what.end(), '\n', ' ');
   return fmt::format("{0}: {1}; see {0} --help\n", command, what);
 }

@@ -4,16 +4,13 @@
 
 #include "cli/picture_output.h"
 
-#include <fmt/format.h>
+#include "cli/output_place.h"
 
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 namespace openltc::cli {
@@ -38,21 +35,7 @@ std::string default_output(const std::string& scene) {
 Status check_output(const std::string& path) {
   if (!image::is_writable_extension(path))
     return Error{fmt::format("{}: unknown kind of picture; use .exr, .hdr or .png", path)};
-  std::error_code ec;
-  if (fs::is_directory(path, ec)) return Error{fmt::format("{}: is a directory", path)};
-  fs::path folder = fs::path(path).parent_path();
-  if (folder.empty()) folder = ".";
-  if (!fs::is_directory(folder, ec))
-    return Error{fmt::format("{}: the folder {} does not exist", path, folder.string())};
-  // Permission bits do not tell all (root, read-only and virtual file systems): try it.
-  std::string probe = (folder / ".openltc-XXXXXX").string();
-  const int file = mkstemp(probe.data());
-  if (file < 0)
-    return Error{fmt::format("{}: cannot write in the folder {}: {}", path, folder.string(),
-                             std::strerror(errno))};
-  close(file);
-  unlink(probe.c_str());
-  return Success{};
+  return check_place(path);
 }
 
 Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display) {

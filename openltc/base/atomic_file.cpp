@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
+#include <unistd.h>
 
 namespace openltc {
 
@@ -69,8 +69,9 @@ Status write_atomically(const std::string& path,
   if (!fs::is_directory(folder, ec))
     return Error{fmt::format("{}: the folder {} does not exist", path, folder.string())};
 
+  // A name may have 255 bytes; a long one must not make the temporary one too long.
   const fs::path temporary =
-      folder / fmt::format(".{}.{}-{}.part{}", target.stem().string(), ::getpid(),
+      folder / fmt::format(".{}.{}-{}.part{}", target.stem().string().substr(0, 100), ::getpid(),
                            g_counter.fetch_add(1), target.extension().string());
   const Registration registration(temporary.string());
   Status status = Success{};
@@ -78,6 +79,8 @@ Status write_atomically(const std::string& path,
     status = write(temporary.string());
   } catch (const std::exception& e) {
     status = Error{fmt::format("{}: {}", path, e.what())};
+  } catch (...) {
+    status = Error{fmt::format("{}: cannot write", path)};
   }
   if (status.ok() && std::rename(temporary.c_str(), path.c_str()) != 0)
     status = Error{fmt::format("{}: cannot write: {}", path, std::strerror(errno))};

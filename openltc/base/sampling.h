@@ -71,7 +71,8 @@ struct Sample2 {
   float u, v;
 };
 
-/// Sample `index` of the pair of dimensions that `seed` names, in [0, 1)^2.
+/// Sample `index` of the pair of dimensions that `seed` names, in [0, 1)^2. Pairs are independent
+/// if their seeds are well mixed, as hash_combine gives them; seeds of few bits are not enough.
 static inline Sample2 owen_sobol(std::uint32_t index, std::uint32_t seed) {
   const std::uint32_t shuffled = nested_uniform_scramble(index, seed);
   return {fraction(nested_uniform_scramble(reverse_bits(shuffled), hash_combine(seed, 1))),

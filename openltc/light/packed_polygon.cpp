@@ -3,7 +3,9 @@
 //
 // The outline is cut into trapezoids: between two neighbouring heights of its vertices no edge
 // begins or ends, so the edges that cross this slab, sorted from left to right, bound the inside
-// by their parity. This holds for concave outlines, holes and islands alike.
+// by their parity. This holds for concave outlines, holes and islands alike. A trapezoid goes on
+// through the slabs in which the same two edges bound it, so there are about as many triangles as
+// vertices.
 
 #include "openltc/light/packed_polygon.h"
 
@@ -26,6 +28,12 @@ struct Triangle {
   Vec2d a, b, c;
 };
 
+/// Bounded by two edges from height y up to where one of them ends.
+struct Trapezoid {
+  const Edge *left, *right;
+  double y;
+};
+
 double area_of(const Triangle& t) {
   return 0.5 * std::abs((t.b.x - t.a.x) * (t.c.y - t.a.y) - (t.b.y - t.a.y) * (t.c.x - t.a.x));
 }
@@ -40,6 +48,13 @@ std::vector<Triangle> triangulate(const std::vector<Edge>& edges) {
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
 
   std::vector<Triangle> triangles;
+  const auto close = [&](const Trapezoid& t, double y) {
+    const Vec2d a{x_at(*t.left, t.y), t.y}, b{x_at(*t.right, t.y), t.y};
+    const Vec2d c{x_at(*t.right, y), y}, d{x_at(*t.left, y), y};
+    for (const Triangle& triangle : {Triangle{a, b, c}, Triangle{a, c, d}})
+      if (area_of(triangle) > 0) triangles.push_back(triangle);
+  };
+  std::vector<Trapezoid> open, next;
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
     const double y0 = heights[i], y1 = heights[i + 1], middle = 0.5 * (y0 + y1);
     std::vector<const Edge*> crossing;
@@ -47,13 +62,23 @@ std::vector<Triangle> triangulate(const std::vector<Edge>& edges) {
       if (e.lower.y <= y0 && e.upper.y >= y1) crossing.push_back(&e);
     std::sort(crossing.begin(), crossing.end(),
               [&](const Edge* p, const Edge* q) { return x_at(*p, middle) < x_at(*q, middle); });
-    for (std::size_t k = 0; k + 1 < crossing.size(); k += 2) {
-      const Vec2d a{x_at(*crossing[k], y0), y0}, b{x_at(*crossing[k + 1], y0), y0};
-      const Vec2d c{x_at(*crossing[k + 1], y1), y1}, d{x_at(*crossing[k], y1), y1};
-      for (const Triangle& t : {Triangle{a, b, c}, Triangle{a, c, d}})
-        if (area_of(t) > 0) triangles.push_back(t);
+    next.clear();
+    for (std::size_t k = 0; k + 1 < crossing.size(); k += 2)
+      next.push_back({crossing[k], crossing[k + 1], y0});
+    // Both lists run from left to right, so what goes on is in the same order in both.
+    std::size_t from = 0;
+    for (Trapezoid& t : next) {
+      const auto found = std::find_if(open.begin() + std::ptrdiff_t(from), open.end(),
+                                      [&](const Trapezoid& o) { return o.left == t.left; });
+      if (found == open.end() || found->right != t.right) continue;
+      for (; from < std::size_t(found - open.begin()); ++from) close(open[from], y0);
+      t.y = found->y;
+      ++from;
     }
+    for (; from < open.size(); ++from) close(open[from], y0);
+    open.swap(next);
   }
+  for (const Trapezoid& t : open) close(t, heights.back());
   return triangles;
 }
 

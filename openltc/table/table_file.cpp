@@ -178,15 +178,15 @@ std::string to_builtin_source(const LobeTable& table) {
   return out;
 }
 
+Status check_writable_extension(const std::string& path) {
+  if (ends_with(path, ".json") || ends_with(path, ".cpp") || ends_with(path, ".inc"))
+    return Success{};
+  return Error{path + ": a table is written as .json, or as .cpp or .inc for C++ source"};
+}
+
 Status write_table(const LobeTable& table, const std::string& path) {
-  std::string text;
-  if (ends_with(path, ".json")) {
-    text = to_json(table);
-  } else if (ends_with(path, ".cpp") || ends_with(path, ".inc")) {
-    text = to_builtin_source(table);
-  } else {
-    return Error{path + ": a table is written as .json, or as .cpp or .inc for C++ source"};
-  }
+  if (Status status = check_writable_extension(path); !status) return status;
+  const std::string text = ends_with(path, ".json") ? to_json(table) : to_builtin_source(table);
   return write_atomically(path, [&](const std::string& temporary) -> Status {
     std::ofstream file(temporary, std::ios::binary);
     file << text;

@@ -29,6 +29,9 @@ Result<LobeTable> read_table(const std::string& path);
 /// all: an existing file stays when writing fails.
 Status write_table(const LobeTable& table, const std::string& path);
 
+/// Whether write_table knows the extension of `path`; the error says which it knows.
+Status check_writable_extension(const std::string& path);
+
 /// C++ source that defines builtin_ggx_table() with the contents of `table`.
 std::string to_builtin_source(const LobeTable& table);
 

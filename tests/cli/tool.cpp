@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "tests/cli/tool.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace openltc::test {
+
+namespace {
+
+void redirect(int target, const std::string& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (file < 0 || dup2(file, target) < 0) _exit(126);
+}
+
+bool ended_as(const Run& run, int exit_code, const std::string& part) {
+  const bool good = run.exit_code == exit_code && line_count(run.err) == 1 && run.out.empty() &&
+                    contains(run.err, part);
+  if (!good)
+    MESSAGE("expected exit code " << exit_code << " and one line with '" << part << "', got "
+                                  << run.exit_code << ", signal " << run.ended_by << ", stderr:\n"
+                                  << run.err << "stdout:\n"
+                                  << run.out);
+  return good;
+}
+
+} // namespace
+
+Run run_tool(const std::vector<std::string>& arguments, const RunOptions& options) {
+  const TemporaryFolder folder;
+  const std::string out = folder.file("stdout"), err = folder.file("stderr");
+  std::vector<std::string> words = {OPENLTC_TOOL};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words)
+    argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!options.folder.empty() && chdir(options.folder.c_str()) != 0) _exit(126);
+    redirect(1, out);
+    redirect(2, err);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  Run run;
+  int status = 0;
+  bool interrupted = false, killed = false;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (options.interrupt_after_s > 0 && !interrupted && elapsed() > options.interrupt_after_s) {
+      interrupted = true;
+      kill(child, SIGINT);
+    }
+    if (!killed && elapsed() > options.limit_s) {
+      killed = true;
+      kill(child, SIGKILL);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  run.seconds = elapsed();
+  if (WIFEXITED(status)) run.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) run.ended_by = WTERMSIG(status);
+  const auto text = [](const std::string& path) {
+    const auto bytes = bytes_of(path);
+    return std::string(bytes.begin(), bytes.end());
+  };
+  run.out = text(out);
+  run.err = text(err);
+  return run;
+}
+
+int line_count(const std::string& text) {
+  return int(std::count(text.begin(), text.end(), '\n'));
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+bool fails_naming(const Run& run, const std::string& part) {
+  return ended_as(run, 1, part);
+}
+
+bool refuses_usage(const Run& run, const std::string& part) {
+  return ended_as(run, 2, part);
+}
+
+std::vector<std::uint8_t> bytes_of(const std::string& path) {
+  return image::test::file_bytes(path);
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  image::test::write_bytes(path, std::vector<std::uint8_t>(text.begin(), text.end()));
+}
+
+void write_scene(const std::string& path, const GltfBuilder& scene) {
+  write_text(path, scene.to_text());
+}
+
+GltfBuilder lit_floor(double nits) {
+  GltfBuilder scene;
+  // The square of square_primitive, laid flat: its +z looks up (floor) or down (lamp).
+  const double s = std::sqrt(0.5);
+  scene.add("materials", {{"name", "white"}});
+  scene.add("materials",
+            {{"name", "lamp"},
+             {"emissiveFactor", {1, 1, 1}},
+             {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", nits}}}}}});
+  scene.use("KHR_materials_emissive_strength");
+  json floor = scene.square_primitive(), lamp = floor;
+  floor["material"] = 0;
+  lamp["material"] = 1;
+  scene.add_mesh_node(floor, {{"name", "floor"},
+                              {"rotation", {-s, 0, 0, s}},
+                              {"scale", {4, 4, 1}},
+                              {"translation", {-2, 0, 2}}});
+  scene.add_mesh_node(
+      lamp, {{"name", "lamp"}, {"rotation", {s, 0, 0, s}}, {"translation", {-0.5, 1, -0.5}}});
+  return scene;
+}
+
+void add_camera(GltfBuilder& scene, const std::string& name, double height) {
+  const int camera = scene.add(
+      "cameras",
+      {{"name", name}, {"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}});
+  const int node =
+      scene.add("nodes", {{"name", name}, {"camera", camera}, {"translation", {0, height, 4}}});
+  scene.root["scenes"][0]["nodes"].push_back(node);
+}
+
+std::string demo_scene() {
+  return OPENLTC_SOURCE_DIR "/scenes/demo.glb";
+}
+
+} // namespace openltc::test

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// Help that teaches, and wrong usage: exit code 2, one line.
+
+#include "tests/cli/tool.h"
+
+#include <doctest/doctest.h>
+
+using namespace openltc::test;
+
+TEST_CASE("help_of_the_tool_names_every_command_and_what_it_does") {
+  const Run help = run_tool({"--help"});
+  CHECK(help.exit_code == 0);
+  CHECK(help.err.empty());
+  for (const char* command : {"render", "fit", "compare", "inspect"})
+    CHECK(contains(help.out, std::string("\n  ") + command + " "));
+  const Run version = run_tool({"--version"});
+  CHECK(version.exit_code == 0);
+  CHECK(contains(version.out, "openltc "));
+}
+
+TEST_CASE("help_of_each_command_lists_its_options_and_examples") {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> commands = {
+      {"render",
+       {"--integrator",
+        "--samples",
+        "--shadow-samples",
+        "--point-lights",
+        "--lights",
+        "--camera",
+        "--size",
+        "--exposure",
+        "--tonemap",
+        "--background",
+        "--seed",
+        "--threads",
+        "-o,",
+        "--half",
+        "--table",
+        "--json",
+        "--quiet",
+        "ltc|reference",
+        "neutral|aces|none",
+        ".exr",
+        "openltc render"}},
+      {"fit", {"--brdf", "--size", "-o,", "--report", "openltc fit"}},
+      {"compare", {"--metric", "--diff", "--json", "FLIP", "openltc compare"}},
+      {"inspect", {"--json", ".glb", ".exr", "openltc inspect"}}};
+  for (const auto& [command, words] : commands) {
+    CAPTURE(command);
+    const Run help = run_tool({command, "--help"});
+    CHECK(help.exit_code == 0);
+    CHECK(help.err.empty());
+    for (const std::string& word : words) {
+      CAPTURE(word);
+      CHECK(contains(help.out, word));
+    }
+  }
+}
+
+TEST_CASE("no_command_or_an_unknown_one_is_wrong_usage") {
+  CHECK(refuses_usage(run_tool({}), "--help"));
+  CHECK(refuses_usage(run_tool({"paint"}), "paint"));
+}
+
+TEST_CASE("wrong_options_and_values_are_named_in_one_line") {
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string named;
+  };
+  const std::string scene = demo_scene();
+  const std::vector<Case> cases = {
+      {{"render"}, "scene"},
+      {{"render", scene, "--colour"}, "--colour"},
+      {{"render", scene, "second.glb"}, "second.glb"},
+      {{"render", scene, "--samples", "0"}, "--samples"},
+      {{"render", scene, "--samples", "many"}, "--samples"},
+      {{"render", scene, "--shadow-samples", "-1"}, "--shadow-samples"},
+      {{"render", scene, "--integrator", "path"}, "--integrator"},
+      {{"render", scene, "--integrator", "1"}, "ltc or reference"},
+      {{"render", scene, "--lights", "sun"}, "'sun'"},
+      {{"render", scene, "--tonemap", "filmic"}, "--tonemap"},
+      {{"render", scene, "--point-lights", "2"}, "--point-lights"},
+      {{"render", scene, "--exposure", "bright"}, "--exposure bright"},
+      {{"render", scene, "--exposure", "nan"}, "--exposure nan"},
+      {{"render", scene, "--background", "1,2"}, "--background 1,2"},
+      {{"render", scene, "--background", "1,-2,3"}, "--background 1,-2,3"},
+      {{"render", scene, "--threads", "x"}, "--threads"},
+      {{"render", scene, "--seed", "x"}, "--seed"},
+      {{"render", scene, "--kernel", "gpu"}, "--kernel"},
+      {{"render", scene, "--size"}, "--size"},
+      {{"fit", "--size", "1"}, "--size"},
+      {{"fit", "--brdf", "velvet"}, "velvet"},
+      {{"compare", "a.exr"}, "B"},
+      {{"inspect"}, "file"},
+      {{"inspect", scene, "--loud"}, "--loud"}};
+  for (const Case& c : cases) {
+    CAPTURE(c.named);
+    CHECK(refuses_usage(run_tool(c.arguments), c.named));
+  }
+}
+
+TEST_CASE("absurd_picture_sizes_are_refused_in_one_line") {
+  for (const char* size :
+       {"0x0", "-1x5", "64x", "x64", "abc", "64", "64x36x2", "64.5x36", "9999999999999x2"}) {
+    CAPTURE(size);
+    CHECK(refuses_usage(run_tool({"render", demo_scene(), "--size", size}), size));
+  }
+  // Numbers, but more than a picture can have; not the memory of the machine.
+  for (const char* size : {"99999999x2", "32768x32768"}) {
+    CAPTURE(size);
+    const TemporaryFolder folder;
+    const Run run =
+        run_tool({"render", demo_scene(), "--quiet", "--size", size, "-o", folder.file("x.png")});
+    CHECK(fails_naming(run, size));
+    CHECK(folder.file_count() == 0);
+  }
+}
