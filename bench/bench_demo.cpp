@@ -5,19 +5,15 @@
 // long the reference takes to be as accurate.
 
 #include "openltc/image/metrics.h"
-#include "openltc/render/camera_rays.h"
-#include "openltc/render/ray_scene.h"
+#include "openltc/render/error_by_surface.h"
 #include "openltc/render/renderer.h"
-#include "openltc/render/surface_point.h"
 #include "openltc/scene/gltf.h"
 #include "openltc/table/lobe_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <map>
 #include <string>
 
 using namespace openltc;
@@ -72,73 +68,17 @@ void frame_times(const scene::Scene& scene) {
   fmt::print("  16 shadow samples  {:7.3f} s\n", best_seconds(scene, options, 2));
 }
 
-// What the middle of each pixel shows: "metal, roughness 0.2-0.4", "emitter" or "background".
-std::vector<std::string> pixel_kinds(const scene::Scene& scene, int width, int height) {
-  const render::TextureSet textures(scene);
-  auto rays = render::RayScene::create(scene, textures);
-  if (!rays.ok()) std::exit(1);
-  const render::CameraRays camera(scene.cameras.at(0), width, height);
-  std::vector<std::string> kinds;
-  for (int i = 0; i < width * height; ++i) {
-    const render::CameraRay ray = camera.ray(float(i % width) + 0.5f, float(i / width) + 0.5f);
-    render::RayPacket packet{};
-    packet.active[0] = -1;
-    packet.near[0] = ray.near;
-    packet.far[0] = ray.far;
-    for (int axis = 0; axis < 3; ++axis) {
-      packet.origin[axis][0] = (&ray.origin.x)[axis];
-      packet.direction[axis][0] = (&ray.direction.x)[axis];
-    }
-    const render::HitPacket hits = (*rays)->intersect(packet);
-    if (hits.mesh[0] < 0) {
-      kinds.push_back("background");
-      continue;
-    }
-    const render::SurfacePoint p = render::evaluate_surface(
-        scene, textures, std::uint32_t(hits.mesh[0]), hits.triangle[0], hits.u[0], hits.v[0],
-        ray.direction, hits.distance[0], camera.footprint(hits.distance[0]));
-    if (dot(p.emission, p.emission) > 0) {
-      kinds.push_back("emitter");
-      continue;
-    }
-    const bool metal = dot(p.albedo, p.albedo) == 0;
-    const int bin = std::min(int(p.roughness * 5), 4);
-    const float cosine = dot(p.normal, p.view);
-    kinds.push_back(fmt::format("{}, roughness {:.1f}-{:.1f}, {}", metal ? "metal     " : "dielectric",
-                                bin * 0.2, bin * 0.2 + 0.2,
-                                cosine < 0.26f ? "grazing (> 75 degrees)" : "facing"));
-  }
-  return kinds;
-}
-
 // Where the error lies: by what the pixels show.
-void error_by_surface(const scene::Scene& scene, const image::Image& a, const image::Image& truth) {
-  struct Sum {
-    double error = 0, worst = 0;
-    int pixels = 0;
-  };
-  std::map<std::string, Sum> sums;
-  const double eps = image::compare(a, truth).eps;
-  const std::vector<std::string> kinds = pixel_kinds(scene, a.width, a.height);
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    double error = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double x = double(a.data[3 * i + c]), y = double(truth.data[3 * i + c]);
-      error += std::abs(x - y) / (std::abs(y) + eps) / 3;
-    }
-    Sum& sum = sums[kinds[i]];
-    sum.error += error;
-    sum.worst = std::max(sum.worst, error);
-    ++sum.pixels;
-  }
-  fmt::print("\nWhere that error lies, by what the middle of a pixel shows\n"
-             "  {:<52} {:>8} {:>9} {:>9} {:>9}\n",
-             "", "pixels", "mean", "largest", "share");
-  double total = 0;
-  for (const auto& [kind, sum] : sums) total += sum.error;
-  for (const auto& [kind, sum] : sums)
-    fmt::print("  {:<52} {:>8} {:>7.2f} % {:>7.1f} % {:>7.1f} %\n", kind, sum.pixels,
-               100 * sum.error / sum.pixels, 100 * sum.worst, 100 * sum.error / total);
+void print_error_by_surface(const scene::Scene& scene, const image::Image& a,
+                            const image::Image& truth) {
+  const auto errors = render::error_by_surface(scene, scene.cameras.at(0), a, truth,
+                                               image::compare(a, truth).eps);
+  if (!errors.ok()) std::exit(1);
+  fmt::print("\nWhere that error lies\n  {:<36} {:>8} {:>9} {:>9} {:>9}\n", "", "pixels", "mean",
+             "largest", "share");
+  for (const render::SurfaceError& e : *errors)
+    fmt::print("  {:<36} {:>8} {:>7.2f} % {:>7.1f} % {:>7.1f} %\n", e.surface, e.pixels,
+               100 * e.mean_relative, 100 * e.max_relative, 100 * e.share);
 }
 
 void errors(const scene::Scene& scene) {
@@ -172,7 +112,7 @@ void errors(const scene::Scene& scene) {
                100 * error, reference.render_seconds, reference.render_seconds / ltc_seconds);
     if (error <= ltc_error) break;
   }
-  error_by_surface(scene, ltc.radiance, truth.radiance);
+  print_error_by_surface(scene, ltc.radiance, truth.radiance);
 }
 
 } // namespace

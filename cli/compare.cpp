@@ -3,6 +3,7 @@
 
 // openltc compare A B: how far picture A is from its reference B.
 
+#include "cli/camera_choice.h"
 #include "cli/commands.h"
 #include "cli/output_place.h"
 #include "openltc/image/difference.h"
@@ -10,6 +11,8 @@
 #include "openltc/image/flip.h"
 #include "openltc/image/metrics.h"
 #include "openltc/image/tonemap.h"
+#include "openltc/render/error_by_surface.h"
+#include "openltc/scene/gltf.h"
 
 #include <fmt/format.h>
 
@@ -47,13 +50,14 @@ What the numbers mean
 Examples
   openltc compare ltc.exr reference.exr
   openltc compare ltc.exr reference.exr --diff difference.png
+  openltc compare ltc.exr reference.exr --scene scene.glb     where the error lies, by surface
   openltc compare a.png b.png --metric flip --diff flip.png --json
 
 Exit code 0: compared (whatever the difference); 1: a file cannot be read or written, or the sizes
 differ; 2: wrong usage.)";
 
 struct Options {
-  std::string a, b, diff, mask;
+  std::string a, b, diff, mask, scene, camera;
   std::string metric = "relative";
   std::string exposure;
   float pixels_per_degree = image::FlipOptions{}.pixels_per_degree;
@@ -219,7 +223,8 @@ Image make_difference_picture(const Options& options, const Image& a, const Imag
   return image::difference_picture(image::difference_map(a, b, kind, metrics.eps), picture);
 }
 
-void print_json(const Options& options, const Image& a, const image::Metrics& m, const Flip& flip) {
+void print_json(const Options& options, const Image& a, const image::Metrics& m, const Flip& flip,
+                const std::vector<render::SurfaceError>& surfaces) {
   const auto place = [](image::PixelPlace p) { return nlohmann::ordered_json::array({p.x, p.y}); };
   nlohmann::ordered_json out;
   out["image"] = options.a;
@@ -248,13 +253,20 @@ void print_json(const Options& options, const Image& a, const image::Metrics& m,
   out["flip"] = {{"mean", flip.mean}, {"max", flip.max}, {"max_at", place(flip.max_at)}};
   out["flip"].update(flip.details);
   if (!options.diff.empty()) out["difference_picture"] = options.diff;
+  for (const render::SurfaceError& e : surfaces)
+    out["by_surface"].push_back({{"surface", e.surface},
+                                 {"pixels", e.pixels},
+                                 {"mean_relative_error", e.mean_relative},
+                                 {"max_relative_error", e.max_relative},
+                                 {"max_relative_error_at", {e.max_x, e.max_y}},
+                                 {"share", e.share}});
   // A path may hold any bytes; they must not break the output.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   fmt::print("{}\n", out.dump(2, ' ', false, replace));
 }
 
-void print_table(const Options& options, const Image& a, const image::Metrics& m,
-                 const Flip& flip) {
+void print_table(const Options& options, const Image& a, const image::Metrics& m, const Flip& flip,
+                 const std::vector<render::SurfaceError>& surfaces) {
   fmt::print("image        {}\nreference    {}\n", options.a, options.b);
   fmt::print("size         {}x{}, {} pixels compared", a.width, a.height, m.pixel_count);
   if (m.masked_count > 0) fmt::print(", {} masked", m.masked_count);
@@ -280,7 +292,25 @@ void print_table(const Options& options, const Image& a, const image::Metrics& m
       fmt::format("peak {:.5g}", m.psnr_peak));
   row("FLIP mean", number(flip.mean), flip.kind);
   row("FLIP max", number(flip.max), at(flip.max_at));
+  if (!surfaces.empty())
+    fmt::print("\nwhere the error lies                   pixels      mean   largest              share\n");
+  for (const render::SurfaceError& e : surfaces)
+    fmt::print("{:<38}{:>7} {:>7.2f} % {:>7.1f} % {:>12} {:>5.1f} %\n", e.surface, e.pixels,
+               100 * e.mean_relative, 100 * e.max_relative, fmt::format("({}, {})", e.max_x, e.max_y),
+               100 * e.share);
   if (!options.diff.empty()) fmt::print("\ndifference   {}\n", options.diff);
+}
+
+/// The error by surface when --scene is given, else nothing.
+Result<std::vector<render::SurfaceError>> surface_errors(const Options& options, const Image& a,
+                                                         const Image& b, double eps) {
+  if (options.scene.empty()) return std::vector<render::SurfaceError>();
+  Result<scene::Scene> scene = scene::load_gltf(options.scene);
+  if (!scene) return scene.error();
+  Result<scene::Camera> camera =
+      choose_camera(*scene, options.camera, options.scene, float(a.width) / float(a.height));
+  if (!camera) return camera.error();
+  return render::error_by_surface(*scene, *camera, a, b, eps);
 }
 
 Status run(const Options& options) {
@@ -322,10 +352,13 @@ Status run(const Options& options) {
     const Image picture = make_difference_picture(options, *a, *b, metrics, flip, mask);
     if (Status ok = image::write_png(options.diff, picture); !ok) return ok;
   }
+  Result<std::vector<render::SurfaceError>> surfaces =
+      surface_errors(options, *a, *b, metrics.eps);
+  if (!surfaces) return surfaces.error();
   if (options.json)
-    print_json(options, *a, metrics, flip);
+    print_json(options, *a, metrics, flip, *surfaces);
   else
-    print_table(options, *a, metrics, flip);
+    print_table(options, *a, metrics, flip, *surfaces);
   return Success{};
 }
 
@@ -356,6 +389,13 @@ void add_compare(CLI::App& app, int& exit_code) {
                    "round number that 1 % of the pixels exceed; 1 for flip)")
       ->check(CLI::Validator(check_positive, "MAX"))
       ->needs("--diff");
+  command->add_option("--scene", options->scene,
+                      "The glTF scene that both pictures show: also say where the error lies, by "
+                      "metal or dielectric, roughness, and view");
+  command
+      ->add_option("--camera", options->camera,
+                   "The camera they show it from, as for openltc render [the first]")
+      ->needs("--scene");
   command->add_option("--mask", options->mask,
                       "Compare only pixels where this picture is not black");
   command

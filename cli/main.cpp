@@ -37,9 +37,10 @@ int main(int argc, char** argv) {
   app.failure_message(usage_message);
 
   int exit_code = openltc::cli::k_exit_ok;
-#define OPENLTC_COMMAND(name) openltc::cli::add_##name(app, exit_code);
-  OPENLTC_COMMANDS
-#undef OPENLTC_COMMAND
+  openltc::cli::add_render(app, exit_code);
+  openltc::cli::add_compare(app, exit_code);
+  openltc::cli::add_fit(app, exit_code);
+  openltc::cli::add_inspect(app, exit_code);
 
   try {
     app.parse(argc, argv);

@@ -4,12 +4,12 @@
 // openltc render: a picture of a glTF scene.
 
 #include "cli/choice.h"
+#include "cli/camera_choice.h"
 #include "cli/commands.h"
 #include "cli/picture_output.h"
 
 #include "openltc/base/progress.h"
 #include "openltc/render/renderer.h"
-#include "openltc/scene/framing.h"
 #include "openltc/scene/gltf.h"
 #include "openltc/scene/studio.h"
 #include "openltc/table/table_file.h"
@@ -101,24 +101,6 @@ bool parse_size(const std::string& text, int& width, int& height) {
   };
   return number(std::string_view(text).substr(0, x), width) &&
          number(std::string_view(text).substr(x + 1), height);
-}
-
-/// The camera that --camera names: a number from 0, a name, or "frame"; empty = the first.
-Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string& choice,
-                                    const std::string& file, float aspect) {
-  if (choice == "frame" || (choice.empty() && scene.cameras.empty()))
-    return scene::frame_scene(scene, aspect);
-  if (choice.empty()) return scene.cameras[0];
-  for (const scene::Camera& camera : scene.cameras)
-    if (camera.name == choice) return camera;
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), index);
-  if (error == std::errc() && end == choice.data() + choice.size() && index < scene.cameras.size())
-    return scene.cameras[index];
-  std::string known = "\"frame\"";
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-    known += fmt::format(", {} \"{}\"", i, scene.cameras[i].name);
-  return Error{fmt::format("{}: --camera {}: no such camera; there are {}", file, choice, known)};
 }
 
 /// Whether the only lights are surfaces that emit no more than glTF's plain emissive factor: labels
