@@ -150,17 +150,19 @@ int run_fit(const FitArguments& arguments) {
 
 void add_fit(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<FitArguments>();
-  CLI::App* command = app.add_subcommand(
-      "fit", "Fit a table of lobes to a BRDF and report how far it is from it.\n\n"
-             "For every roughness and view angle the linearly transformed cosine is found that\n"
-             "comes closest to the BRDF. The error is measured between the nodes, through the\n"
-             "look-up that shading uses: total variation (TV) bounds the shading error of any\n"
-             "light, L1 L2 L3 are relative norms, peak is the error of the highlight's brightest\n"
-             "point, leak the share of the lobe below the surface.\n\n"
-             "Examples:\n"
-             "  openltc fit                              errors only\n"
-             "  openltc fit --size 32 -o ggx32.json      a smaller table\n"
-             "  openltc fit -o ggx.json --report ggx-errors.json");
+  CLI::App* command =
+      app.add_subcommand("fit", "Fit a table of lobes to a BRDF and report how far it is from it");
+  command->footer(
+      "For every roughness and view angle the linearly transformed cosine is found that\n"
+      "comes closest to the BRDF. The error is measured between the nodes, through the\n"
+      "look-up that shading uses: total variation (TV) bounds the shading error of any\n"
+      "light, L1 L2 L3 are relative norms, peak is the error of the highlight's brightest\n"
+      "point, leak the share of the lobe below the surface.\n"
+      "\n"
+      "Examples:\n"
+      "  openltc fit                              errors only\n"
+      "  openltc fit --size 32 -o ggx32.json      a smaller table\n"
+      "  openltc fit -o ggx.json --report ggx-errors.json");
   std::vector<std::string> known;
   for (const brdf::Brdf& b : brdf::all_brdfs())
     known.push_back(b.name);

@@ -70,13 +70,14 @@ int run_inspect(const InspectArguments& arguments) {
 
 void add_inspect(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<InspectArguments>();
-  CLI::App* command = app.add_subcommand(
-      "inspect",
-      "Say what a file is.\n\n"
+  CLI::App* command =
+      app.add_subcommand("inspect", "Say what a file is: a scene, a picture or a lobe table");
+  command->footer(
       "A scene (.gltf .glb): geometry, cameras by number and name, lights in nits, candela and\n"
       "lumens, and what the importer warns about. A picture (.exr .hdr .png .jpg): size, layers,\n"
       "range and mean of each channel, NaN and infinities, and for scene-linear ones the exposure\n"
-      "that --exposure auto would choose. A lobe table (.json): its metadata and ranges.\n\n"
+      "that --exposure auto would choose. A lobe table (.json): its metadata and ranges.\n"
+      "\n"
       "Examples:\n"
       "  openltc inspect room.glb\n"
       "  openltc inspect truth.exr --json\n"

@@ -185,6 +185,7 @@ int run_render(const RenderArguments& arguments) {
   for (const std::string& output : arguments.outputs)
     if (Status status = check_output(output); !status.ok()) return fail(status.error().message);
 
+  catch_interrupts();
   const auto load_start = std::chrono::steady_clock::now();
   Result<scene::Scene> loaded = scene::load_gltf(arguments.scene);
   if (!loaded) return fail(loaded.error().message);
@@ -226,7 +227,6 @@ int run_render(const RenderArguments& arguments) {
       fmt::print(stderr, "warning: the scene has no light; --lights studio adds one\n");
   }
 
-  catch_interrupts();
   Result<render::Picture> picture = render::render(scene, *camera, lobe_table, options);
   if (!picture) return fail(picture.error().message);
   if (!arguments.quiet)
@@ -279,12 +279,13 @@ int run_render(const RenderArguments& arguments) {
 void add_render(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command = app.add_subcommand(
-      "render",
-      "Render a glTF scene, lit by its polygon and point lights.\n\n"
+      "render", "Render a glTF scene, lit by its polygon and point lights");
+  command->footer(
       "Area lights are integrated in closed form with linearly transformed cosines (LTC), so the\n"
       "light itself has no noise; shadows are sampled. Lights come from the file: planar emissive\n"
       "surfaces, KHR_lights_punctual, EXT_lights_area. A file without lights gets a studio rig, a\n"
-      "file without camera is framed.\n\n"
+      "file without camera is framed.\n"
+      "\n"
       "Examples:\n"
       "  openltc render helmet.glb                          writes helmet.png here\n"
       "  openltc render room.glb -o room.exr -o room.png    radiance and a picture to look at\n"

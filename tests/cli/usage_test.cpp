@@ -15,13 +15,18 @@ TEST_CASE("help_of_the_tool_names_every_command_and_what_it_does") {
   CHECK(help.err.empty());
   for (const char* command : {"render", "fit", "compare", "inspect"})
     CHECK(contains(help.out, std::string("\n  ") + command + " "));
+  CHECK(line_count(help.out) < 30); // the whole tool at a glance
   const Run version = run_tool({"--version"});
   CHECK(version.exit_code == 0);
   CHECK(contains(version.out, "openltc "));
 }
 
 TEST_CASE("help_of_each_command_lists_its_options_and_examples") {
-  const std::vector<std::pair<std::string, std::vector<std::string>>> commands = {
+  struct Case {
+    std::string command;
+    std::vector<std::string> words;
+  };
+  const std::vector<Case> commands = {
       {"render",
        {"--integrator",
         "--samples",
@@ -47,12 +52,12 @@ TEST_CASE("help_of_each_command_lists_its_options_and_examples") {
       {"fit", {"--brdf", "--size", "-o,", "--report", "openltc fit"}},
       {"compare", {"--metric", "--diff", "--json", "FLIP", "openltc compare"}},
       {"inspect", {"--json", ".glb", ".exr", "openltc inspect"}}};
-  for (const auto& [command, words] : commands) {
-    CAPTURE(command);
-    const Run help = run_tool({command, "--help"});
+  for (const Case& c : commands) {
+    CAPTURE(c.command);
+    const Run help = run_tool({c.command, "--help"});
     CHECK(help.exit_code == 0);
     CHECK(help.err.empty());
-    for (const std::string& word : words) {
+    for (const std::string& word : c.words) {
       CAPTURE(word);
       CHECK(contains(help.out, word));
     }

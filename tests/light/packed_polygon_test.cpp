@@ -14,6 +14,8 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -75,7 +77,7 @@ Ring star(int points, double inner, double outer) {
 }
 
 struct Shape {
-  const char* name;
+  std::string name;
   std::vector<Ring> rings;
   double area;
 };
@@ -112,7 +114,7 @@ std::vector<Shape> shapes() {
 std::vector<Shape> placed_shapes() {
   std::vector<Shape> all = shapes();
   for (Shape& shape : all)
-    if (std::string(shape.name) == "two holes") {
+    if (shape.name == "two holes") {
       for (Vec2d& p : shape.rings[2])
         p = p + Vec2d(3.5, 1.5);
       shape.area -= 3 * 0.2 * 0.5 * std::sin(std::numbers::pi / 3);
