@@ -6,6 +6,8 @@
 //   indices are taken away before (the compressed data has its own);
 // - it refuses buffers without URI, which EXT_meshopt_compression uses as placeholders, and its
 //   messages do not name fields, so that buffers and images are read here;
+// - 2.5 writes before its array of views when an attribute's accessor has no buffer view, as all of
+//   a Draco primitive's have none, so that those accessors get a placeholder while it parses;
 // - it silently ignores fields of the wrong type and truncates integers to 32 bits, and 2.5 reads
 //   past its arrays for indices out of range: check_schema comes first;
 // - it recurses over `extras` and extensions: split_container limits the nesting.
@@ -180,6 +182,24 @@ void reduce_for_tinygltf(json& root) {
   }
 }
 
+// Gives every accessor a view: those without one get a placeholder behind the views of the file.
+// Returns its index.
+int add_placeholder_view(json& root) {
+  json& views = root["bufferViews"];
+  const int placeholder = int(views.size());
+  views.push_back({{"buffer", 0}, {"byteLength", 1}});
+  if (root.contains("accessors"))
+    for (json& accessor : root["accessors"])
+      if (!accessor.contains("bufferView")) accessor["bufferView"] = placeholder;
+  return placeholder;
+}
+
+void remove_placeholder_view(int placeholder, tinygltf::Model& model) {
+  for (tinygltf::Accessor& accessor : model.accessors)
+    if (accessor.bufferView == placeholder) accessor.bufferView = -1;
+  model.bufferViews.pop_back();
+}
+
 void parse_with_tinygltf(const json& root, tinygltf::Model& model) {
   const std::string text = root.dump();
   if (text.size() > std::numeric_limits<unsigned int>::max())
@@ -213,7 +233,9 @@ void read_document(const Container& container, const std::string& base_dir, Docu
   load_views(root, buffers, document);
   list_images(root, document);
   reduce_for_tinygltf(root);
+  const int placeholder = add_placeholder_view(root);
   parse_with_tinygltf(root, *document.model);
+  remove_placeholder_view(placeholder, *document.model);
 }
 
 } // namespace openltc::scene::gltf

@@ -163,6 +163,18 @@ TEST_CASE("meshopt_attributes_and_indices_of_both_modes_are_decoded") {
   }
 }
 
+// The filter's definition, EXT_meshopt_compression, "EXPONENTIAL": 24 bits of mantissa m and 8 of
+// exponent e, both signed, stand for m 2^e. (meshopt_encodeFilterExp changed its arguments in
+// 0.19.)
+void put_exponential(float value, std::uint8_t* four_bytes) {
+  int exponent = 0;
+  const float fraction = std::frexp(value, &exponent); // below 1
+  const std::int32_t mantissa = std::int32_t(std::lround(std::ldexp(fraction, 19)));
+  const std::uint32_t high = std::uint32_t(exponent - 19) << 24;
+  const std::uint32_t bits = high | (std::uint32_t(mantissa) & 0xFFFFFFu);
+  std::memcpy(four_bytes, &bits, 4);
+}
+
 TEST_CASE("meshopt_filters_are_undone") {
   const std::size_t count = 4;
   const auto load_filtered = [&](const char* filter, const void* encoded, std::size_t stride,
@@ -213,7 +225,8 @@ TEST_CASE("meshopt_filters_are_undone") {
   SUBCASE("exponential") {
     const float positions[12] = {0, 0, 0, 3.5f, 0, 0, 3.5f, 1024.25f, 0, 0, 1024.25f, 0};
     Bytes encoded(count * 12);
-    meshopt_encodeFilterExp(encoded.data(), count, 12, 20, positions);
+    for (std::size_t i = 0; i < std::size(positions); ++i)
+      put_exponential(positions[i], encoded.data() + 4 * i);
     const scene::Mesh mesh =
         load_filtered("EXPONENTIAL", encoded.data(), 12, "POSITION", "VEC3", k_float, false);
     CHECK(mesh.positions[2].x == doctest::Approx(3.5f).epsilon(0.001));
