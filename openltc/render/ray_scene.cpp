@@ -144,7 +144,8 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
   }
 
   // One thread builds: a parallel build may order triangles differently from run to run, and where
-  // surfaces coincide the picture would follow.
+  // surfaces coincide the picture would follow. (Ubuntu 22.04's Embree links an older TBB than ours
+  // and does not notice; only there coincident surfaces may differ from run to run.)
   tbb::task_arena one_thread(1);
   one_thread.execute([&] { rtcCommitScene(state.scene); });
   const RTCError error = rtcGetDeviceError(state.device);
