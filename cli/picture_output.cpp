@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
 
 #include "cli/picture_output.h"
 
@@ -12,6 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 namespace openltc::cli {
 
@@ -32,10 +32,30 @@ std::string default_output(const std::string& scene) {
   return fs::path(scene).stem().string() + ".png";
 }
 
-Status check_output(const std::string& path) {
-  if (!image::is_writable_extension(path))
-    return Error{fmt::format("{}: unknown kind of picture; use .exr, .hdr or .png", path)};
-  return check_place(path);
+std::vector<std::string> output_files(const std::string& path, bool with_standard_error) {
+  std::vector<std::string> files = {path};
+  if (with_standard_error && extension_of(path) == ".hdr") {
+    const fs::path whole(path);
+    files.push_back(
+        (whole.parent_path() / (whole.stem().string() + "_stderr" + whole.extension().string()))
+            .string());
+  }
+  return files;
+}
+
+Status check_outputs(const std::vector<std::string>& paths, bool with_standard_error) {
+  std::set<fs::path> seen;
+  for (const std::string& path : paths) {
+    if (!image::is_writable_extension(path))
+      return Error{fmt::format("{}: unknown kind of picture; use .exr, .hdr or .png", path)};
+    for (const std::string& file : output_files(path, with_standard_error)) {
+      if (Status status = check_place(file); !status.ok()) return status;
+      std::error_code ec;
+      if (!seen.insert(fs::weakly_canonical(file, ec)).second)
+        return Error{fmt::format("{}: would be written twice; give each -o a name of its own", file)};
+    }
+  }
+  return Success{};
 }
 
 Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display) {
@@ -46,32 +66,22 @@ Result<float> resolve_exposure(const image::Image& radiance, const DisplayOption
   return exposure;
 }
 
-Result<std::vector<std::string>> write_picture(const std::string& path,
-                                               const image::Image& radiance,
-                                               const image::Image* standard_error, float exposure,
-                                               image::Tonemap tonemap,
-                                               image::ExrPrecision precision) {
+Status write_picture(const std::string& path, const image::Image& radiance,
+                     const image::Image* standard_error, float exposure, image::Tonemap tonemap,
+                     image::ExrPrecision precision) {
   const std::string extension = extension_of(path);
-  std::vector<std::string> written = {path};
-  Status status = Success{};
   if (extension == ".exr") {
     std::vector<image::Layer> layers = {{"", radiance}};
     if (standard_error) layers.push_back({"stderr", *standard_error});
-    status = image::write_exr(path, layers, precision);
-  } else if (extension == ".hdr") {
-    status = image::write_hdr(path, radiance);
-    if (status.ok() && standard_error) {
-      const fs::path whole(path);
-      written.push_back(
-          (whole.parent_path() / (whole.stem().string() + "_stderr" + whole.extension().string()))
-              .string());
-      status = image::write_hdr(written.back(), *standard_error);
-    }
-  } else {
-    status = image::write_png(path, image::to_display(radiance, exposure, tonemap));
+    return image::write_exr(path, layers, precision);
   }
-  if (!status.ok()) return status.error();
-  return written;
+  if (extension == ".hdr") {
+    Status status = image::write_hdr(path, radiance);
+    if (status.ok() && standard_error)
+      status = image::write_hdr(output_files(path, true).back(), *standard_error);
+    return status;
+  }
+  return image::write_png(path, image::to_display(radiance, exposure, tonemap));
 }
 
 } // namespace openltc::cli

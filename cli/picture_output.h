@@ -23,18 +23,21 @@ struct DisplayOptions {
 /// "SCENE.png" in the current folder.
 std::string default_output(const std::string& scene);
 
-/// Whether `path` can be written: known extension, existing and writable folder.
-Status check_output(const std::string& path);
+/// The files that writing a picture to `path` makes: itself, and NAME_stderr.hdr beside an .hdr when
+/// there is a standard error.
+std::vector<std::string> output_files(const std::string& path, bool with_standard_error);
+
+/// Whether pictures can be written to these paths: known extensions, existing and writable folders,
+/// no file meant twice.
+Status check_outputs(const std::vector<std::string>& paths, bool with_standard_error);
 
 /// Factor from nits to display-linear values.
 Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display);
 
 /// Writes .exr and .hdr as radiance, .png as display values. A standard error becomes the layer
-/// "stderr" of an .exr and a file NAME_stderr.hdr beside an .hdr. Returns the paths written.
-Result<std::vector<std::string>> write_picture(const std::string& path,
-                                               const image::Image& radiance,
-                                               const image::Image* standard_error, float exposure,
-                                               image::Tonemap tonemap,
-                                               image::ExrPrecision precision);
+/// "stderr" of an .exr and a file NAME_stderr.hdr beside an .hdr.
+Status write_picture(const std::string& path, const image::Image& radiance,
+                     const image::Image* standard_error, float exposure, image::Tonemap tonemap,
+                     image::ExrPrecision precision);
 
 } // namespace openltc::cli

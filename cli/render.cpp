@@ -58,6 +58,7 @@ struct RenderArguments {
 
 constexpr int k_default_samples_ltc = 8;
 constexpr int k_default_samples_reference = 256;
+constexpr float k_largest_half = 65504;
 // Behind what a studio rig lights: dark enough to set it off, bright enough to show dark outlines.
 // Relative to a white card of 1 nit.
 constexpr float k_studio_background_nits = 0.07f;
@@ -182,8 +183,15 @@ int run_render(const RenderArguments& arguments) {
   options.quiet = arguments.quiet;
 
   // Find out now, not after the work, that a picture cannot be written.
-  for (const std::string& output : arguments.outputs)
-    if (Status status = check_output(output); !status.ok()) return fail(status.error().message);
+  const bool has_standard_error = reference && options.samples > 1;
+  if (Status status = check_outputs(arguments.outputs, has_standard_error); !status.ok())
+    return fail(status.error().message);
+  if (reference && !arguments.table.empty())
+    return fail("--table: the reference has no lobes, and its materials are defined with the "
+                "built-in table; use --integrator ltc",
+                k_exit_usage);
+  if (reference && !has_standard_error && !arguments.quiet)
+    fmt::print(stderr, "warning: one sample per pixel has no standard error; it is left out\n");
 
   catch_interrupts();
   const auto load_start = std::chrono::steady_clock::now();
@@ -235,15 +243,26 @@ int run_render(const RenderArguments& arguments) {
 
   Result<float> exposure = resolve_exposure(picture->radiance, display);
   if (!exposure) return fail(exposure.error().message);
+  const image::Image* standard_error = has_standard_error ? &picture->standard_error : nullptr;
+  const auto precision =
+      arguments.half ? image::ExrPrecision::half_float : image::ExrPrecision::full_float;
   for (const std::string& output : arguments.outputs) {
-    const image::Image* standard_error = reference ? &picture->standard_error : nullptr;
-    Result<std::vector<std::string>> written =
-        write_picture(output, picture->radiance, standard_error, *exposure, display.tonemap,
-                      arguments.half ? image::ExrPrecision::half_float
-                                     : image::ExrPrecision::full_float);
-    if (!written) return fail(written.error().message);
+    const Status status = write_picture(output, picture->radiance, standard_error, *exposure,
+                                        display.tonemap, precision);
+    if (!status.ok()) return fail(status.error().message);
     if (!arguments.quiet)
-      for (const std::string& path : *written) fmt::print(stderr, "wrote {}\n", path);
+      for (const std::string& file : output_files(output, has_standard_error))
+        fmt::print(stderr, "wrote {}\n", file);
+  }
+  if (arguments.half && !arguments.quiet) {
+    const auto& values = picture->radiance.data;
+    const auto above = std::count_if(values.begin(), values.end(),
+                                     [](float v) { return v > k_largest_half; });
+    if (above > 0)
+      fmt::print(stderr,
+                 "warning: {} values are above {}, the largest that half precision holds, and were "
+                 "cut; write .exr without --half to keep them\n",
+                 above, k_largest_half);
   }
 
   if (arguments.json) {
@@ -346,8 +365,8 @@ void add_render(CLI::App& app, int& exit_code) {
   command->add_option("--tonemap", a.display.tonemap,
                       "For .png: Khronos PBR Neutral, ACES, or none [neutral]")
       ->transform(one_of(tonemaps));
-  command->add_flag("--half", a.half, "Write .exr in half precision");
-  command->add_option("--table", a.table, "Lobe table from openltc fit (.json) [built-in GGX]");
+  command->add_flag("--half", a.half, "Write .exr in half precision, which ends at 65504 nits");
+  command->add_option("--table", a.table, "Lobe table from openltc fit (.json), for the LTC integrator [built-in GGX]");
   command->add_option("--seed", a.seed, "Seed of the sampling")->capture_default_str();
   command->add_option("--threads", a.threads,
                       "Threads, 0 for all cores; the picture is the same for any number")

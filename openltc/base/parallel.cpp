@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
 
 #include "openltc/base/parallel.h"
 

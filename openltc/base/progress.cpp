@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
 
 #include "openltc/base/progress.h"
 
@@ -63,6 +62,7 @@ void Progress::add(std::int64_t amount) {
   } else {
     const int quarter = int(4 * done / total_);
     if (quarter <= quarter_ || quarter >= 4) return;
+    if (now - start_ < std::chrono::seconds(2)) return; // short work needs no lines
     quarter_ = quarter;
   }
   last_print_ = now;

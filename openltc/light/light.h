@@ -27,6 +27,9 @@ struct PolygonLight {
   Vec3f normal{0, 0, 1};               ///< unit, world space, towards the emitting side
   Vec3f radiance{0, 0, 0};             ///< nits, the same in every direction
   bool two_sided = false;              ///< emits to both sides with the same radiance
+  /// Metres by which the surface that the light was made of leaves the light's plane; shadow rays
+  /// stop before it. 0 for lights without a surface.
+  float surface_deviation = 0;
 };
 
 enum class PunctualType { point, spot, directional };

@@ -99,6 +99,7 @@ void store3(float* out, Vec3f p) {
 PackedPolygon pack_polygon(const PolygonLight& light) {
   PackedPolygon packed;
   packed.radiance = light.radiance;
+  packed.surface_deviation = light.surface_deviation;
   if (light.vertices.empty()) return packed;
 
   // The longest edge gives the plane's u axis, so that the slabs of a rectangle are one.

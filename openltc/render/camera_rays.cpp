@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
 
 #include "openltc/render/camera_rays.h"
 
@@ -8,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace openltc::render {
 
@@ -53,10 +53,11 @@ namespace {
 constexpr float k_radius = 1.5f;
 constexpr int k_cdf_size = 256;
 
-// Inverse of the window's running integral, tabulated.
+// Inverse of the running integral of the window, tabulated. Its four cosine terms: Harris 1978, "On
+// the Use of Windows for Harmonic Analysis with the Discrete Fourier Transform", equation 33.
 std::array<float, k_cdf_size + 1> make_inverse_cdf() {
   constexpr int k_fine = 8192;
-  const double pi = 3.14159265358979323846;
+  constexpr double pi = std::numbers::pi;
   std::array<double, k_fine + 1> cdf{};
   for (int i = 0; i < k_fine; ++i) {
     const double t = (i + 0.5) / k_fine * 2 * pi;

@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
 
 #include "openltc/render/error_by_surface.h"
 
@@ -53,7 +52,7 @@ void row_kinds(const scene::Scene& scene, const TextureSet& textures, const RayS
     if (hits.mesh[i] < 0) continue;
     const Vec3f d(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]);
     kinds[i] = kind_of(evaluate_surface(scene, textures, std::uint32_t(hits.mesh[i]),
-                                        hits.triangle[i], hits.u[i], hits.v[i], d, hits.distance[i],
+                                        hits.triangle[i], hits.u[i], hits.v[i], d,
                                         camera.footprint(hits.distance[i])));
   }
 }

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
 
 #include "openltc/render/light_set.h"
+
+#include "openltc/light/polygon.h"
 
 #include <fmt/format.h>
 
@@ -22,11 +23,11 @@ LightSet pack_lights(const light::Lights& lights) {
   LightSet set;
   set.packed.reserve(lights.polygons.size());
   for (const light::PolygonLight& light : lights.polygons) {
-    light::PackedPolygon packed = light::pack_polygon(light);
-    if (packed.view.point_count == 0) {
-      set.warnings.push_back(fmt::format("light \"{}\" has no area and is left out", light.name));
+    if (const Status valid = light::validate(light); !valid.ok()) {
+      set.warnings.push_back(valid.error().message + "; it is left out");
       continue;
     }
+    light::PackedPolygon packed = light::pack_polygon(light);
     PolygonLightView view;
     set.packed.push_back(std::move(packed));
     const light::PackedPolygon& kept = set.packed.back();
@@ -35,10 +36,15 @@ LightSet pack_lights(const light::Lights& lights) {
     view.triangle_cdf = kept.triangle_cdf.data();
     view.triangle_count = int(kept.triangle_cdf.size());
     view.area = kept.area;
+    view.surface_deviation = kept.surface_deviation;
     copy3(view.radiance, kept.radiance);
     set.polygons.push_back(view);
   }
   for (const light::PunctualLight& light : lights.punctual) {
+    if (const Status valid = light::validate(light); !valid.ok()) {
+      set.warnings.push_back(valid.error().message + "; it is left out");
+      continue;
+    }
     PunctualLightView view;
     copy3(view.position, light.position);
     copy3(view.direction, light.direction);

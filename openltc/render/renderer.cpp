@@ -27,11 +27,13 @@ namespace openltc::render {
 namespace {
 
 constexpr int k_tile = 16;              // pixels; a row of a tile is one ray packet
-constexpr int k_max_layers = 32;        // blended surfaces along one camera ray
+constexpr int k_max_layers = 32;        // blended surfaces along one camera ray; the last is opaque
+constexpr int k_max_clear_layers = 4096; // culled or fully clear ones, which do not count
 constexpr int k_max_size = 32768;       // pixels on a side
 constexpr int k_tile_pixels = k_tile * k_tile;
 constexpr std::size_t k_batch = 4096;   // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
+constexpr std::size_t k_max_polygon_lights = 20000; // 180 MB of shadow sums per thread
 
 static_assert(k_tile == RayPacket::k_size);
 
@@ -67,7 +69,9 @@ public:
     const int pixels = k_tile_pixels;
     std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
     if (needs_ratio(job_.context))
-      ratio_sums_.assign(std::size_t(job_.context.polygon_count * k_ratio_sum_count * pixels), 0.0f);
+      ratio_sums_.assign(std::size_t(job_.context.polygon_count) * k_ratio_sum_count *
+                             std::size_t(pixels),
+                         0.0f);
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
       if (interrupted()) return;
@@ -115,7 +119,7 @@ private:
     if (ratio_sums_.empty()) return total;
     for (int l = 0; l < job_.context.polygon_count; ++l) {
       const float* sums =
-          ratio_sums_.data() + std::size_t(l * k_ratio_sum_count * k_tile_pixels) + pixel;
+          ratio_sums_.data() + std::size_t(l) * k_ratio_sum_count * k_tile_pixels + pixel;
       const auto channel = [&](int c) {
         const double closed = sums[(k_closed_r + c) * k_tile_pixels];
         const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
@@ -160,7 +164,8 @@ private:
     }
 
     const int base = target + row * k_tile;
-    for (int layer = 0; layer < k_max_layers; ++layer) {
+    int layers[k_tile] = {};
+    for (int pass = 0; pass < k_max_layers + k_max_clear_layers; ++pass) {
       const HitPacket hits = job_.rays.intersect(packet);
       bool more = false;
       for (int i = 0; i < width_; ++i) {
@@ -171,11 +176,12 @@ private:
           radiance += job_.options.background * throughput[i];
           continue;
         }
-        const SurfacePoint point = evaluate_surface(
+        SurfacePoint point = evaluate_surface(
             job_.scene, job_.textures, std::uint32_t(hits.mesh[i]), hits.triangle[i], hits.u[i],
             hits.v[i],
             Vec3f(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]),
-            hits.distance[i], job_.camera.footprint(hits.distance[i]));
+            job_.camera.footprint(hits.distance[i]));
+        if (point.alpha > 0 && ++layers[i] == k_max_layers) point.alpha = 1;
         const float weight = throughput[i] * point.alpha;
         radiance += point.emission * weight;
         if (point.lit && weight > 0) {
@@ -186,7 +192,7 @@ private:
         throughput[i] *= 1 - point.alpha;
         if (throughput[i] > 1.0e-3f) {
           // Go on behind the blended surface.
-          packet.near[i] = hits.distance[i] + point.offset;
+          packet.near[i] = hits.distance[i] * (1 + 2.0e-6f) + 1.0e-6f * point.offset;
           packet.active[i] = -1;
           more = true;
         }
@@ -229,6 +235,10 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const TextureSet textures(scene);
   auto rays = RayScene::create(scene, textures);
   if (!rays.ok()) return rays.error();
+  if (scene.lights.polygons.size() > k_max_polygon_lights)
+    return Error{fmt::format("the scene has {} polygon lights, more than {}: give curved emissive "
+                             "surfaces fewer facets",
+                             scene.lights.polygons.size(), k_max_polygon_lights)};
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 

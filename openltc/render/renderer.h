@@ -42,7 +42,7 @@ struct RenderOptions {
 struct Picture {
   image::Image radiance;       ///< scene-linear, in the scene's units (nits)
   /// Standard error of each pixel's mean, per channel, from the variance of its camera samples. The
-  /// samples are stratified, so this is an upper estimate. Zero where samples = 1.
+  /// samples are stratified, so this is an upper estimate. Means nothing where samples = 1.
   image::Image standard_error;
   double build_seconds = 0;  ///< acceleration structure, textures
   double render_seconds = 0;

@@ -11,6 +11,7 @@
 
 #include "openltc/target/resources.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace openltc::render {
@@ -19,7 +20,7 @@ namespace openltc::render {
 enum PointField {
   k_position_x, k_position_y, k_position_z,
   k_normal_x, k_normal_y, k_normal_z,       ///< shading normal, on the viewer's side
-  k_geometric_x, k_geometric_y, k_geometric_z, ///< of the triangle, either side
+  k_geometric_x, k_geometric_y, k_geometric_z, ///< of the triangle, on the viewer's side
   k_view_x, k_view_y, k_view_z,             ///< to the viewer
   k_albedo_r, k_albedo_g, k_albedo_b,       ///< (1 - metallic) base colour
   k_f0_r, k_f0_g, k_f0_b,
@@ -61,6 +62,7 @@ struct PolygonLightView {
   const float* triangle_cdf = nullptr;
   int triangle_count = 0;
   float area = 0;
+  float surface_deviation = 0; ///< see light::PolygonLight
   float radiance[3] = {0, 0, 0};
 };
 
@@ -69,8 +71,8 @@ struct PunctualLightView {
   float direction[3] = {0, 0, -1}; ///< the way the light travels
   float intensity[3] = {0, 0, 0};  ///< candela, or lux when directional
   float range = 0;
-  float cos_inner = 1, cos_outer = -1; ///< a point light has the whole sphere as its cone
-  bool spot = false;
+  bool spot = false;                   ///< has a cone
+  float cos_inner = 1, cos_outer = -1;
   bool directional = false;
 };
 

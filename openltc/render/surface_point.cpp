@@ -44,17 +44,17 @@ Vec3f safe_normalize(Vec3f v, Vec3f fallback) {
 float saturate(float x) { return std::clamp(x, 0.0f, 1.0f); }
 
 // Side of a square of uv that covers as much as a square metre of the triangle.
-float uv_per_metre(const scene::Mesh& mesh, const Corner& c, Vec3f area_vector) {
-  if (mesh.tex_coord_0.empty()) return 0;
-  const Vec2f e1 = mesh.tex_coord_0[c.b] - mesh.tex_coord_0[c.a];
-  const Vec2f e2 = mesh.tex_coord_0[c.c] - mesh.tex_coord_0[c.a];
+float uv_per_metre(const std::vector<Vec2f>& tex_coord, const Corner& c, Vec3f area_vector) {
+  if (tex_coord.empty()) return 0;
+  const Vec2f e1 = tex_coord[c.b] - tex_coord[c.a];
+  const Vec2f e2 = tex_coord[c.c] - tex_coord[c.a];
   const float uv_area2 = std::abs(e1.x * e2.y - e1.y * e2.x);
   const float area2 = length(area_vector);
   return area2 > 0 ? std::sqrt(uv_area2 / area2) : 0.0f;
 }
 
 Vec3f mapped_normal(const scene::Mesh& mesh, const scene::Material& m, const TextureSet& textures,
-                    const Corner& c, const Vec2f uv[2], float width, Vec3f normal) {
+                    const Corner& c, const Vec2f uv[2], const float width[2], Vec3f normal) {
   if (m.normal_texture.texture < 0 || mesh.tangents.empty()) return normal;
   const Vec4f t4 = interpolate(mesh.tangents, c);
   const Vec3f t3(t4.x, t4.y, t4.z);
@@ -84,13 +84,14 @@ float surface_alpha(const scene::Scene& scene, const TextureSet& textures, std::
   const scene::Material& m = scene.materials[std::size_t(mesh.material)];
   const Corner c = corner(mesh, triangle, u, v);
   const Vec2f uv[2] = {interpolate(mesh.tex_coord_0, c), interpolate(mesh.tex_coord_1, c)};
+  const float sharp[2] = {0, 0};
   return saturate(m.base_color.w * interpolate(mesh.colors, c).w *
-                  textures.sample(m.base_color_texture, uv, 0).w);
+                  textures.sample(m.base_color_texture, uv, sharp).w);
 }
 
 SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textures,
                               std::uint32_t mesh_index, std::uint32_t triangle, float u, float v,
-                              Vec3f direction, float distance, float footprint) {
+                              Vec3f direction, float footprint) {
   const scene::Mesh& mesh = scene.meshes[mesh_index];
   const scene::Material& m = scene.materials[std::size_t(mesh.material)];
   const Corner c = corner(mesh, triangle, u, v);
@@ -104,16 +105,20 @@ SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textu
   const bool from_front = dot(front, s.view) >= 0;
   s.geometric = from_front ? front : -front;
 
-  // Rounding of positions grows with their size and with the distance of the camera.
-  const float magnitude =
-      std::max({std::abs(s.position.x), std::abs(s.position.y), std::abs(s.position.z), distance});
-  s.offset = magnitude * 2.0e-5f;
+  // The position is interpolated between corners, so its rounding grows with their coordinates; it
+  // does not depend on how far away the camera is.
+  const float magnitude = std::max({std::abs(pa.x), std::abs(pa.y), std::abs(pa.z),
+                                    std::abs(s.position.x), std::abs(s.position.y),
+                                    std::abs(s.position.z)});
+  s.offset = magnitude * 1.0e-5f;
 
   // Footprint of the pixel on the surface, in uv; the shorter axis of the ellipse, since several
   // samples per pixel cover the longer one.
   const Vec2f uv[2] = {interpolate(mesh.tex_coord_0, c), interpolate(mesh.tex_coord_1, c)};
   const float cos_view = std::max(std::abs(dot(front, s.view)), 0.05f);
-  const float width = footprint / std::sqrt(cos_view) * uv_per_metre(mesh, c, area_vector);
+  const float on_surface = footprint / std::sqrt(cos_view);
+  const float width[2] = {on_surface * uv_per_metre(mesh.tex_coord_0, c, area_vector),
+                          on_surface * uv_per_metre(mesh.tex_coord_1, c, area_vector)};
 
   Vec3f normal = safe_normalize(interpolate(mesh.normals, c), front);
   normal = mapped_normal(mesh, m, textures, c, uv, width, normal);

@@ -27,11 +27,11 @@ struct SurfacePoint {
 };
 
 /// Evaluates the material of mesh `mesh` where `direction` (unit, away from the camera) meets
-/// triangle `triangle` at barycentric (u, v), `distance` metres away. `footprint` is the width of the
-/// pixel there in metres, across the ray, for texture filtering.
+/// triangle `triangle` at barycentric (u, v). `footprint` is the width of the pixel there in metres,
+/// across the ray, for texture filtering.
 SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textures,
                               std::uint32_t mesh, std::uint32_t triangle, float u, float v,
-                              Vec3f direction, float distance, float footprint);
+                              Vec3f direction, float footprint);
 
 /// Coverage alone, for shadow rays: base colour alpha, unfiltered.
 float surface_alpha(const scene::Scene& scene, const TextureSet& textures, std::uint32_t mesh,

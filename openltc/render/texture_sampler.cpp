@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
 
 #include "openltc/render/texture_sampler.h"
 
@@ -94,14 +93,16 @@ TextureSet::TextureSet(const scene::Scene& scene) {
   for (const scene::Texture& t : scene.textures) textures_.emplace_back(t);
 }
 
-Vec4f TextureSet::sample(const scene::TextureRef& ref, const Vec2f tex_coord[2], float width) const {
+Vec4f TextureSet::sample(const scene::TextureRef& ref, const Vec2f tex_coord[2],
+                         const float width[2]) const {
   if (ref.texture < 0) return {1, 1, 1, 1};
-  const Vec2f t = tex_coord[ref.tex_coord == 1 ? 1 : 0];
+  const int set = ref.tex_coord == 1 ? 1 : 0;
+  const Vec2f t = tex_coord[set];
   const auto& r0 = ref.uv_row0;
   const auto& r1 = ref.uv_row1;
   const Vec2f uv{r0[0] * t.x + r0[1] * t.y + r0[2], r1[0] * t.x + r1[1] * t.y + r1[2]};
   const float scale = std::sqrt(std::abs(r0[0] * r1[1] - r0[1] * r1[0]));
-  return textures_[std::size_t(ref.texture)].sample(uv, width * scale);
+  return textures_[std::size_t(ref.texture)].sample(uv, width[set] * scale);
 }
 
 } // namespace openltc::render

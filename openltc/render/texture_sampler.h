@@ -32,8 +32,8 @@ public:
   explicit TextureSet(const scene::Scene& scene);
 
   /// Value of a texture use at the mesh's coordinates, (1,1,1,1) when there is none.
-  /// `width` is the footprint of the sample in units of those coordinates.
-  Vec4f sample(const scene::TextureRef& ref, const Vec2f tex_coord[2], float width) const;
+  /// `width` is the footprint of the sample, in units of either set of coordinates.
+  Vec4f sample(const scene::TextureRef& ref, const Vec2f tex_coord[2], const float width[2]) const;
 
 private:
   std::vector<MipTexture> textures_;

@@ -321,19 +321,23 @@ light::PolygonLight light_of(const WeldedMesh& mesh, const Plane& plane, const E
   // Only this plane's corners, moved into the plane.
   std::unordered_map<std::uint32_t, std::uint32_t> local;
   std::vector<Vec3d> points;
+  double deviation = 0;
   std::vector<Triangle> triangles = plane.triangles;
   for (Triangle& t : triangles) {
     for (std::uint32_t& corner : t) {
       const auto [place, is_new] = local.try_emplace(corner, std::uint32_t(points.size()));
       if (is_new) {
         const Vec3d p = mesh.points[corner];
-        points.push_back(p - normal * dot(p - center, normal));
+        const double height = dot(p - center, normal);
+        deviation = std::max(deviation, std::abs(height));
+        points.push_back(p - normal * height);
       }
       corner = place->second;
     }
   }
   light::PolygonLight light;
   light.normal = to_float(normal);
+  light.surface_deviation = float(deviation);
   for (const Ring& ring : trace_outline(points, triangles, normal, extent.weld)) {
     for (const Vec3d& p : ring)
       light.vertices.push_back(to_float(p + extent.center));

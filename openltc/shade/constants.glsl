@@ -12,5 +12,9 @@ CONSTANT k_half_inv_pi = 0.15915494309189533577;
 /// precision still carries it.
 CONSTANT k_min_alpha = 1.0e-4;
 
+/// Distance of a point from a plane, relative to their coordinates, below which the point is taken to
+/// lie in it: some thirty times the rounding of a world-space position in single precision.
+CONSTANT k_plane_tolerance = 2.0e-6;
+
 /// Added under a division or a square root whose argument may vanish; far below any length in use.
 CONSTANT k_tiny = 1.0e-30;

@@ -35,7 +35,7 @@
 
 /// theta / sin(theta) from x = cos(theta) and sin2 = sin(theta)^2, for 0 <= theta < pi.
 ///
-/// For x >= 0 a rational minimax fit of degree 3/3, relative error 1.1e-9; for x < 0 from
+/// For x >= 0 a rational minimax fit of degree 3/3, relative error 1.0e-9; for x < 0 from
 /// theta = pi - theta', which is exact. It grows without bound towards x = -1, where 1 - x^2 has no
 /// digits left; so the caller, who knows the vectors, passes sin2 as well.
 FN Real theta_over_sin(Real x, Real sin2) {
@@ -128,19 +128,26 @@ FN Real apex_side(Real normal_y, Real h) {
   return select(normal_y * h < Real(0.0), Real(-1.0), Real(1.0));
 }
 
-/// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
-/// behind a one-sided polygon.
-///
-/// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
-/// is the integral; the direction is the mean direction of the part of the polygon that counts,
-/// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
-FN PolygonIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
-  Vec3 normal = polygon_normal(polygon);
-  Real h = dot(polygon_origin(polygon) - position, normal);
-  Real s = apex_side(dot(frame.t2, normal), h);
+/// Whether a point lies in a polygon's plane as far as single precision can tell: h, its distance,
+/// is below what rounding of the coordinates may make of 0. Such a point, on the emitter itself or
+/// on a wall flush with it, has no side, and gets no light from it.
+FN Mask in_polygon_plane(Real h, Vec3 position, Vec3 origin) {
+  Real size2 = dot(position, position) + dot(origin, origin);
+  return h * h <= Real(k_plane_tolerance * k_plane_tolerance) * size2;
+}
 
-  Vec3 diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  Vec3 specular = diffuse;
+struct EdgeSums {
+  Vec3 diffuse;  // 2 pi times the vector irradiance of the clipped polygon in shading space
+  Vec3 specular; // the same in cosine space
+};
+
+/// The edge sums of a polygon, s being its apex_side. Positive z behind the polygon, negative in
+/// front: there an outline that is counter-clockwise about the normal runs clockwise about
+/// directions from the surface.
+FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real s) {
+  EdgeSums sums;
+  sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  sums.specular = sums.diffuse;
   Vec3 a = Vec3(Real(0.0), Real(0.0), Real(1.0));
   Vec3 a_o = a;
   int count = polygon_point_count(polygon);
@@ -148,20 +155,33 @@ FN PolygonIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame
     Vec3 b = to_shading(frame, polygon_point(polygon, i) - position);
     Vec3 b_o = to_cosine(lobe, b);
     if (!polygon_starts_ring(polygon, i)) {
-      diffuse = diffuse + clipped_edge_term(a, b, a.z, b.z, s);
-      specular = specular + clipped_edge_term(a_o, b_o, a.z, b.z, s);
+      sums.diffuse = sums.diffuse + clipped_edge_term(a, b, a.z, b.z, s);
+      sums.specular = sums.specular + clipped_edge_term(a_o, b_o, a.z, b.z, s);
     }
     a = b;
     a_o = b_o;
   }
+  return sums;
+}
 
-  // In front of the polygon, h < 0, an outline that is counter-clockwise about the normal runs
-  // clockwise about directions from the surface: the sum is negative there, positive behind.
+/// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
+/// behind a one-sided polygon and in the plane of any.
+///
+/// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
+/// is the integral; the direction is the mean direction of the part of the polygon that counts,
+/// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
+FN PolygonIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
+  Vec3 normal = polygon_normal(polygon);
+  Real h = dot(polygon_origin(polygon) - position, normal);
+  EdgeSums sums =
+      sum_edges(polygon, position, frame, lobe, apex_side(dot(frame.t2, normal), h));
   Real side = select(h < Real(0.0), Real(-1.0), polygon_two_sided(polygon) ? Real(1.0) : Real(0.0));
+  side = select(in_polygon_plane(h, position, polygon_origin(polygon)), Real(0.0), side);
   PolygonIntegral result;
-  result.diffuse = min(max(diffuse.z * side * k_half_inv_pi, Real(0.0)), Real(1.0));
-  result.specular = min(max(specular.z * side * k_half_inv_pi, Real(0.0)), Real(1.0));
-  result.specular_direction = safe_direction(from_cosine(lobe, safe_direction(specular * side)));
+  result.diffuse = min(max(sums.diffuse.z * side * k_half_inv_pi, Real(0.0)), Real(1.0));
+  result.specular = min(max(sums.specular.z * side * k_half_inv_pi, Real(0.0)), Real(1.0));
+  result.specular_direction =
+      safe_direction(from_cosine(lobe, safe_direction(sums.specular * side)));
   return result;
 }
 
@@ -178,9 +198,9 @@ FN PolygonHit intersect_polygon(Polygon polygon, Vec3 position, Vec3 direction) 
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real slope = dot(direction, normal);
   Real t = dot(to_origin, normal) / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
-  Vec3 in_plane = direction * t - to_origin;
-  Real x = dot(in_plane, polygon_axis_u(polygon));
-  Real y = dot(in_plane, polygon_axis_v(polygon));
+  Vec3 on_plane = direction * t - to_origin;
+  Real x = dot(on_plane, polygon_axis_u(polygon));
+  Real y = dot(on_plane, polygon_axis_v(polygon));
 
   Mask inside = Real(1.0) < Real(0.0);
   Vec2 a = Vec2(Real(0.0), Real(0.0));
@@ -201,7 +221,8 @@ FN PolygonHit intersect_polygon(Polygon polygon, Vec3 position, Vec3 direction) 
     faces = slope != Real(0.0);
   }
   PolygonHit result;
-  result.hit = inside && faces && t > Real(0.0);
+  Mask in_plane = in_polygon_plane(dot(to_origin, normal), position, polygon_origin(polygon));
+  result.hit = inside && faces && t > Real(0.0) && !in_plane;
   result.distance = max(t, Real(0.0));
   result.cos_light = abs(slope);
   return result;

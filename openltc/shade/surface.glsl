@@ -62,7 +62,8 @@ FN Vec3 shade_polygon(Surface s, Polygon polygon) {
          specular_reflectance(s, integral.specular_direction, integral.specular);
 }
 
-/// The exact BRDF times cos_i for a direction of shading space: what the reference integrates.
+/// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but
+/// for k_d, whose definition holds the table's albedo.
 FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
   return s.diffuse * eval_lambert(wi_shading) +
          eval_ggx(s.wo, wi_shading, s.alpha, s.f0, s.f90);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace openltc;
 
@@ -29,7 +30,7 @@ double quadrature(const Rectangle& r, double px, double pz) {
   static const double w[5] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
                               0.4786286704993665, 0.2369268850561891};
   constexpr int cells = 24;
-  const double pi = 3.14159265358979323846;
+  constexpr double pi = std::numbers::pi;
   const double dx = (r.x1 - r.x0) / cells, dz = (r.z1 - r.z0) / cells;
   double sum = 0;
   for (int i = 0; i < cells; ++i)

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
 
 #include "test_scenes.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace openltc::test {
 
@@ -47,7 +47,7 @@ void add_floor(scene::Scene& scene, float half, float height, const scene::Mater
 void add_sphere(scene::Scene& scene, Vec3f center, float radius, const scene::Material& material) {
   scene::Mesh& mesh = add_mesh(scene, material);
   constexpr int rows = 96, columns = 192;
-  const float pi = 3.14159265f;
+  constexpr float pi = std::numbers::pi_v<float>;
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i) {
       const float theta = pi * float(j) / rows, phi = 2 * pi * float(i) / columns;

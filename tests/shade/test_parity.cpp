@@ -53,7 +53,7 @@ Batch make_batch(Random& random) {
       put(v.y);
       put(v.z);
     };
-    const double roughness = random.uniform(0.25, 1);
+    const double roughness = random.log_uniform(0.05, 1);
     const double theta = random.uniform(0, 1.5), c = std::cos(theta), s = std::sin(theta);
     put(roughness);
     put3(Vec3d(s, 0, c));

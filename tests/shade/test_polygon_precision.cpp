@@ -96,6 +96,19 @@ TEST_CASE("single precision follows double") {
   CHECK(sum_specular / count < 2e-7);
 }
 
+// The sums before they are clamped, which would hide a NaN.
+static bool sums_are_finite(const PolygonView& polygon, Vec3f position, const f32::Frame& frame,
+                            const f32::Lobe& lobe) {
+  for (const float s : {-1.0f, 1.0f}) {
+    const f32::EdgeSums sums = f32::sum_edges(polygon, position, frame, lobe, s);
+    for (const Vec3f& v : {sums.diffuse, sums.specular})
+      if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
+  }
+  return true;
+}
+
+static bool is_unit(Vec3f v) { return std::abs(length(v) - 1) < 1e-5f; }
+
 TEST_CASE("degenerate outlines and positions give finite values in range") {
   Random random(12);
   const std::vector<std::vector<Ring>> outlines = {
@@ -125,8 +138,15 @@ TEST_CASE("degenerate outlines and positions give finite values in range") {
       const f64::PolygonIntegral d64 =
           f64::integrate_polygon(polygon.view(), position, s.frame, s.lobe);
       CAPTURE(i);
+      CHECK(sums_are_finite(polygon.view(), to_float(position), to_float(s.frame), to_float(s.lobe)));
+      CHECK(is_unit(single.specular_direction));
       CHECK(in_range(single.diffuse));
       CHECK(in_range(single.specular));
+      // In the plane there is no side and no light, whatever rounding makes of the distance.
+      if (i % 5 == 1 || i % 5 == 2 || i % 5 == 3) {
+        CHECK(single.diffuse == 0);
+        CHECK(single.specular == 0);
+      }
       CHECK((d64.diffuse >= 0 && d64.diffuse <= 1));
       CHECK((d64.specular >= 0 && d64.specular <= 1));
     }
@@ -171,9 +191,12 @@ TEST_CASE("adversarial numbers never give NaN, infinity or a negative value") {
         to_float(f64::lobe_from_mirror(Vec4d(cos_theta + 1e-3, random.uniform(-1, 0),
                                              random.uniform(0, 1.5), 2 * cos_theta + 1e-3),
                                        alpha, cos_theta));
-    const f32::PolygonIntegral d = f32::integrate_polygon(
-        polygon.view(), Vec3f(float(pick()), float(pick()), float(pick())), to_float(frame), lobe);
+    const Vec3f position(float(pick()), float(pick()), float(pick()));
+    const f32::PolygonIntegral d =
+        f32::integrate_polygon(polygon.view(), position, to_float(frame), lobe);
     CAPTURE(i);
+    CHECK(sums_are_finite(polygon.view(), position, to_float(frame), lobe));
+    CHECK(is_unit(d.specular_direction));
     CHECK(in_range(d.diffuse));
     CHECK(in_range(d.specular));
   }
