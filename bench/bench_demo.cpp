@@ -21,7 +21,8 @@ using namespace openltc;
 namespace {
 
 scene::Scene load(const std::string& name) {
-  Result<scene::Scene> scene = scene::load_gltf(std::string(OPENLTC_SOURCE_DIR) + "/scenes/" + name);
+  Result<scene::Scene> scene =
+      scene::load_gltf(std::string(OPENLTC_SOURCE_DIR) + "/scenes/" + name);
   if (!scene.ok()) {
     fmt::print(stderr, "{}\n", scene.error().message);
     std::exit(1);
@@ -49,7 +50,8 @@ void target(const char* what, double value, const char* unit, double wanted, boo
 // The fastest of a few runs: what the machine can do when nothing else asks for it.
 double best_seconds(const scene::Scene& scene, const render::RenderOptions& options, int runs) {
   double best = 1e300;
-  for (int i = 0; i < runs; ++i) best = std::min(best, rendered(scene, options).render_seconds);
+  for (int i = 0; i < runs; ++i)
+    best = std::min(best, rendered(scene, options).render_seconds);
   return best;
 }
 
@@ -68,8 +70,8 @@ void frame_times(const scene::Scene& scene) {
     options.shadow_samples = 0;
     const double seconds = best_seconds(scene, options, 5);
     if (scalar == 0) scalar = seconds;
-    fmt::print("  unshadowed, {:<7} {:7.3f} s   {:.2f} x\n",
-               render::kernel_by_name(kernel).name, seconds, scalar / seconds);
+    fmt::print("  unshadowed, {:<7} {:7.3f} s   {:.2f} x\n", render::kernel_by_name(kernel).name,
+               seconds, scalar / seconds);
   }
   target("unshadowed, best kernel", best_seconds(scene, options, 3), "s", 0.3, false);
   options.shadow_samples = 16;
@@ -79,8 +81,8 @@ void frame_times(const scene::Scene& scene) {
 // Where the error lies: by what the pixels show.
 void print_error_by_surface(const scene::Scene& scene, const image::Image& a,
                             const image::Image& truth) {
-  const auto errors = render::error_by_surface(scene, scene.cameras.at(0), a, truth,
-                                               image::compare(a, truth).eps);
+  const auto errors =
+      render::error_by_surface(scene, scene.cameras.at(0), a, truth, image::compare(a, truth).eps);
   if (!errors.ok()) std::exit(1);
   fmt::print("\nWhere that error lies\n  {:<36} {:>8} {:>9} {:>9} {:>9}\n", "", "pixels", "mean",
              "largest", "share");
@@ -107,8 +109,10 @@ void errors(const scene::Scene& scene) {
   const render::Picture ltc = rendered(scene, options);
   const double ltc_seconds = best_seconds(scene, options, 5);
   const double ltc_error = error_of(ltc, truth).mean_relative;
-  fmt::print("\n640x360, unshadowed, no pixel filter: mean relative error against {} samples of the "
-             "reference\n", 2048);
+  fmt::print(
+      "\n640x360, unshadowed, no pixel filter: mean relative error against {} samples of the "
+      "reference\n",
+      2048);
   fmt::print("  LTC, 1 sample per pixel      {:6.2f} %  {:8.3f} s\n", 100 * ltc_error, ltc_seconds);
   target("mean relative error", 100 * ltc_error, "%", 3, false);
 
@@ -118,11 +122,12 @@ void errors(const scene::Scene& scene) {
     options.samples = samples;
     const render::Picture reference = rendered(scene, options);
     const double error = error_of(reference, truth).mean_relative;
-    fmt::print("  reference, {:4} samples      {:6.2f} %  {:8.3f} s   {:6.1f} x the time\n", samples,
-               100 * error, reference.render_seconds, reference.render_seconds / ltc_seconds);
+    fmt::print("  reference, {:4} samples      {:6.2f} %  {:8.3f} s   {:6.1f} x the time\n",
+               samples, 100 * error, reference.render_seconds,
+               reference.render_seconds / ltc_seconds);
     if (error > ltc_error) continue;
-    target("reference time over LTC time at equal error", reference.render_seconds / ltc_seconds, "x",
-           50, true);
+    target("reference time over LTC time at equal error", reference.render_seconds / ltc_seconds,
+           "x", 50, true);
     break;
   }
   print_error_by_surface(scene, ltc.radiance, truth.radiance);

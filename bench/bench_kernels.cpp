@@ -71,9 +71,9 @@ void shade(benchmark::State& state, render::Kernel kernel, int light_count, bool
     buffer.shade(kernel, context, samples, no_ratio, 256);
     benchmark::DoNotOptimize(samples.data());
   }
-  state.counters["ns/point/light"] =
-      benchmark::Counter(1e-9 * double(k_points) * light_count, // so that its rate is per nanosecond
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["ns/point/light"] = benchmark::Counter(
+      1e-9 * double(k_points) * light_count, // so that its rate is per nanosecond
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 } // namespace
@@ -83,10 +83,11 @@ int main(int argc, char** argv) {
     const render::Kernel kernel = render::kernel_by_name(name);
     if (!kernel.shade) continue;
     for (const int lights : {1, 5, 50})
-      benchmark::RegisterBenchmark((std::string("quads_above/") + name + "/" + std::to_string(lights)).c_str(),
-                                   shade, kernel, lights, false);
-    benchmark::RegisterBenchmark((std::string("quads_clipped/") + name + "/5").c_str(), shade, kernel,
-                                 5, true);
+      benchmark::RegisterBenchmark(
+          (std::string("quads_above/") + name + "/" + std::to_string(lights)).c_str(), shade,
+          kernel, lights, false);
+    benchmark::RegisterBenchmark((std::string("quads_clipped/") + name + "/5").c_str(), shade,
+                                 kernel, 5, true);
   }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

@@ -293,11 +293,12 @@ void print_table(const Options& options, const Image& a, const image::Metrics& m
   row("FLIP mean", number(flip.mean), flip.kind);
   row("FLIP max", number(flip.max), at(flip.max_at));
   if (!surfaces.empty())
-    fmt::print("\nwhere the error lies                   pixels      mean   largest              share\n");
+    fmt::print(
+        "\nwhere the error lies                   pixels      mean   largest              share\n");
   for (const render::SurfaceError& e : surfaces)
     fmt::print("{:<38}{:>7} {:>7.2f} % {:>7.1f} % {:>12} {:>5.1f} %\n", e.surface, e.pixels,
-               100 * e.mean_relative, 100 * e.max_relative, fmt::format("({}, {})", e.max_x, e.max_y),
-               100 * e.share);
+               100 * e.mean_relative, 100 * e.max_relative,
+               fmt::format("({}, {})", e.max_x, e.max_y), 100 * e.share);
   if (!options.diff.empty()) fmt::print("\ndifference   {}\n", options.diff);
 }
 
@@ -352,8 +353,7 @@ Status run(const Options& options) {
     const Image picture = make_difference_picture(options, *a, *b, metrics, flip, mask);
     if (Status ok = image::write_png(options.diff, picture); !ok) return ok;
   }
-  Result<std::vector<render::SurfaceError>> surfaces =
-      surface_errors(options, *a, *b, metrics.eps);
+  Result<std::vector<render::SurfaceError>> surfaces = surface_errors(options, *a, *b, metrics.eps);
   if (!surfaces) return surfaces.error();
   if (options.json)
     print_json(options, *a, metrics, flip, *surfaces);

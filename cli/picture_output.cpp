@@ -52,7 +52,8 @@ Status check_outputs(const std::vector<std::string>& paths, bool with_standard_e
       if (Status status = check_place(file); !status.ok()) return status;
       std::error_code ec;
       if (!seen.insert(fs::weakly_canonical(file, ec)).second)
-        return Error{fmt::format("{}: would be written twice; give each -o a name of its own", file)};
+        return Error{
+            fmt::format("{}: would be written twice; give each -o a name of its own", file)};
     }
   }
   return Success{};

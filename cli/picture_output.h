@@ -23,8 +23,8 @@ struct DisplayOptions {
 /// "SCENE.png" in the current folder.
 std::string default_output(const std::string& scene);
 
-/// The files that writing a picture to `path` makes: itself, and NAME_stderr.hdr beside an .hdr when
-/// there is a standard error.
+/// The files that writing a picture to `path` makes: itself, and NAME_stderr.hdr beside an .hdr
+/// when there is a standard error.
 std::vector<std::string> output_files(const std::string& path, bool with_standard_error);
 
 /// Whether pictures can be written to these paths: known extensions, existing and writable folders,

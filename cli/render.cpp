@@ -3,11 +3,10 @@
 //
 // openltc render: a picture of a glTF scene.
 
-#include "cli/choice.h"
 #include "cli/camera_choice.h"
+#include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/picture_output.h"
-
 #include "openltc/base/progress.h"
 #include "openltc/render/renderer.h"
 #include "openltc/scene/gltf.h"
@@ -15,7 +14,6 @@
 #include "openltc/table/table_file.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -23,6 +21,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,7 +113,7 @@ bool only_glows(const light::Lights& lights) {
 }
 
 struct LightsChosen {
-  std::string message;      ///< for the user, may be empty
+  std::string message;       ///< for the user, may be empty
   bool studio_level = false; ///< lit by the rig at its own level, a white card at 1 nit
 };
 
@@ -166,9 +165,9 @@ int run_render(const RenderArguments& arguments) {
   if (arguments.exposure != "auto") {
     display.ev100 = parse_float(arguments.exposure);
     if (!display.ev100)
-      return fail(fmt::format("--exposure {}: write \"auto\" or an EV100 such as 12.5",
-                              arguments.exposure),
-                  k_exit_usage);
+      return fail(
+          fmt::format("--exposure {}: write \"auto\" or an EV100 such as 12.5", arguments.exposure),
+          k_exit_usage);
   }
   options.integrator = arguments.integrator;
   const bool reference = options.integrator == render::Integrator::reference;
@@ -226,7 +225,8 @@ int run_render(const RenderArguments& arguments) {
     for (const std::string& warning : scene.warnings)
       fmt::print(stderr, "warning: {}\n", warning);
     std::size_t triangles = 0;
-    for (const scene::Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
+    for (const scene::Mesh& mesh : scene.meshes)
+      triangles += mesh.triangles.size();
     fmt::print(stderr, "{}: {} triangles, {} polygon and {} punctual lights, loaded in {:.2f} s\n",
                arguments.scene, triangles, scene.lights.polygons.size(),
                scene.lights.punctual.size(), load_seconds);
@@ -256,8 +256,8 @@ int run_render(const RenderArguments& arguments) {
   }
   if (arguments.half && !arguments.quiet) {
     const auto& values = picture->radiance.data;
-    const auto above = std::count_if(values.begin(), values.end(),
-                                     [](float v) { return v > k_largest_half; });
+    const auto above =
+        std::count_if(values.begin(), values.end(), [](float v) { return v > k_largest_half; });
     if (above > 0)
       fmt::print(stderr,
                  "warning: {} values are above {}, the largest that half precision holds, and were "
@@ -297,8 +297,8 @@ int run_render(const RenderArguments& arguments) {
 
 void add_render(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command = app.add_subcommand(
-      "render", "Render a glTF scene, lit by its polygon and point lights");
+  CLI::App* command =
+      app.add_subcommand("render", "Render a glTF scene, lit by its polygon and point lights");
   command->footer(
       "Area lights are integrated in closed form with linearly transformed cosines (LTC), so the\n"
       "light itself has no noise; shadows are sampled. Lights come from the file: planar emissive\n"
@@ -313,67 +313,83 @@ void add_render(CLI::App& app, int& exit_code) {
       "  openltc compare room.exr truth.exr");
   RenderArguments& a = *arguments;
   command->add_option("scene", a.scene, "The scene, .gltf or .glb")->required();
-  command->add_option("-o,--output", a.outputs,
-                      "File to write, may be repeated; .exr and .hdr hold scene-linear radiance in "
-                      "nits, .png an exposed, tone-mapped picture [SCENE.png in this folder]")
+  command
+      ->add_option("-o,--output", a.outputs,
+                   "File to write, may be repeated; .exr and .hdr hold scene-linear radiance in "
+                   "nits, .png an exposed, tone-mapped picture [SCENE.png in this folder]")
       ->allow_extra_args(false);
-  const Choices<render::Integrator> integrators = {
-      {"ltc", render::Integrator::ltc}, {"reference", render::Integrator::reference}};
-  command->add_option("--integrator", a.integrator,
-                      "ltc: closed form times sampled shadows; reference: unbiased sampling with "
-                      "the true BRDF, and a layer \"stderr\" with its standard error [ltc]")
+  const Choices<render::Integrator> integrators = {{"ltc", render::Integrator::ltc},
+                                                   {"reference", render::Integrator::reference}};
+  command
+      ->add_option("--integrator", a.integrator,
+                   "ltc: closed form times sampled shadows; reference: unbiased sampling with "
+                   "the true BRDF, and a layer \"stderr\" with its standard error [ltc]")
       ->transform(one_of(integrators));
-  command->add_option("--samples", a.samples,
-                      "Camera samples per pixel [8; reference 256, each with one light sample]")
+  command
+      ->add_option("--samples", a.samples,
+                   "Camera samples per pixel [8; reference 256, each with one light sample]")
       ->check(CLI::Range(1, 1 << 20));
-  command->add_option("--shadow-samples", a.shadow_samples,
-                      "Shadow rays per pixel and area light, at least one for each camera sample; 0 turns "
-                      "all shadows off")
+  command
+      ->add_option(
+          "--shadow-samples", a.shadow_samples,
+          "Shadow rays per pixel and area light, at least one for each camera sample; 0 turns "
+          "all shadows off")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   const Choices<render::PixelFilter> filters = {
       {"blackman-harris", render::PixelFilter::blackman_harris},
       {"none", render::PixelFilter::none}};
-  command->add_option("--filter", a.filter,
-                      "Reconstruction filter; none: all rays through the middle of the pixel, to "
-                      "compare light without edges [blackman-harris]")
+  command
+      ->add_option("--filter", a.filter,
+                   "Reconstruction filter; none: all rays through the middle of the pixel, to "
+                   "compare light without edges [blackman-harris]")
       ->transform(one_of(filters));
   const Choices<render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
                                                {"ltc", render::PunctualForm::ltc}};
-  command->add_option("--point-lights", a.point_lights,
-                      "Point, spot and directional lights by the exact BRDF or by the density of "
-                      "its LTC lobe [exact]")
+  command
+      ->add_option("--point-lights", a.point_lights,
+                   "Point, spot and directional lights by the exact BRDF or by the density of "
+                   "its LTC lobe [exact]")
       ->transform(one_of(forms));
-  const Choices<LightChoice> choices = {
-      {"auto", LightChoice::automatic}, {"scene", LightChoice::scene},
-      {"studio", LightChoice::studio}, {"both", LightChoice::both}};
-  command->add_option("--lights", a.lights,
-                      "Which lights: those of the scene, a studio rig of three soft boxes, or both "
-                      "[scene; studio where it has none]")
+  const Choices<LightChoice> choices = {{"auto", LightChoice::automatic},
+                                        {"scene", LightChoice::scene},
+                                        {"studio", LightChoice::studio},
+                                        {"both", LightChoice::both}};
+  command
+      ->add_option("--lights", a.lights,
+                   "Which lights: those of the scene, a studio rig of three soft boxes, or both "
+                   "[scene; studio where it has none]")
       ->transform(one_of(choices));
-  command->add_option("--camera", a.camera,
-                      "Camera by name or number from 0; \"frame\" shows the whole scene [the first]");
+  command->add_option(
+      "--camera", a.camera,
+      "Camera by name or number from 0; \"frame\" shows the whole scene [the first]");
   command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]");
   command->add_option("--background", a.background,
                       "Radiance where nothing is hit, in nits: one number or R,G,B [0; with the "
                       "studio rig alone 0.07, a dark grey]");
-  command->add_option("--exposure", a.exposure, "EV100 or \"auto\", from the picture or for the studio rig; for .png only")
+  command
+      ->add_option("--exposure", a.exposure,
+                   "EV100 or \"auto\", from the picture or for the studio rig; for .png only")
       ->capture_default_str();
   const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
-                                                          {"aces", image::Tonemap::aces},
-                                                          {"none", image::Tonemap::none}};
-  command->add_option("--tonemap", a.display.tonemap,
-                      "For .png: Khronos PBR Neutral, ACES, or none [neutral]")
+                                            {"aces", image::Tonemap::aces},
+                                            {"none", image::Tonemap::none}};
+  command
+      ->add_option("--tonemap", a.display.tonemap,
+                   "For .png: Khronos PBR Neutral, ACES, or none [neutral]")
       ->transform(one_of(tonemaps));
   command->add_flag("--half", a.half, "Write .exr in half precision, which ends at 65504 nits");
-  command->add_option("--table", a.table, "Lobe table from openltc fit (.json), for the LTC integrator [built-in GGX]");
+  command->add_option("--table", a.table,
+                      "Lobe table from openltc fit (.json), for the LTC integrator [built-in GGX]");
   command->add_option("--seed", a.seed, "Seed of the sampling")->capture_default_str();
-  command->add_option("--threads", a.threads,
-                      "Threads, 0 for all cores; the picture is the same for any number")
+  command
+      ->add_option("--threads", a.threads,
+                   "Threads, 0 for all cores; the picture is the same for any number")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
-  command->add_option("--kernel", a.kernel,
-                      "Shading kernel, to compare: auto, scalar, sse4, avx2, avx512, neon")
+  command
+      ->add_option("--kernel", a.kernel,
+                   "Shading kernel, to compare: auto, scalar, sse4, avx2, avx512, neon")
       ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
       ->capture_default_str();
   command->add_flag("--json", a.json, "Print what was done and the times as JSON on stdout");

@@ -18,7 +18,8 @@ void parallel_for(std::int64_t count, int threads, const std::function<void(std:
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, 1),
                       [&](const tbb::blocked_range<std::int64_t>& range) {
-                        for (std::int64_t i = range.begin(); i != range.end(); ++i) body(i);
+                        for (std::int64_t i = range.begin(); i != range.end(); ++i)
+                          body(i);
                       });
   });
 }

@@ -38,12 +38,12 @@ enum class PunctualType { point, spot, directional };
 struct PunctualLight {
   std::string name;
   PunctualType type = PunctualType::point;
-  Vec3f position{0, 0, 0};         ///< world space; unused when directional
-  Vec3f direction{0, 0, -1};       ///< unit, world space, the way the light travels; spot, directional
-  Vec3f intensity{1, 1, 1};        ///< candela; lux when directional
-  float range = 0;                 ///< metres, 0 = unlimited
-  float cos_inner = 1;             ///< spot: full intensity inside
-  float cos_outer = 0.70710678f;   ///< spot: none outside
+  Vec3f position{0, 0, 0};   ///< world space; unused when directional
+  Vec3f direction{0, 0, -1}; ///< unit, world space, the way the light travels; spot, directional
+  Vec3f intensity{1, 1, 1};  ///< candela; lux when directional
+  float range = 0;           ///< metres, 0 = unlimited
+  float cos_inner = 1;       ///< spot: full intensity inside
+  float cos_outer = 0.70710678f; ///< spot: none outside
 };
 
 struct Lights {

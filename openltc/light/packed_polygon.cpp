@@ -71,14 +71,17 @@ std::vector<Triangle> triangulate(const std::vector<Edge>& edges) {
       const auto found = std::find_if(open.begin() + std::ptrdiff_t(from), open.end(),
                                       [&](const Trapezoid& o) { return o.left == t.left; });
       if (found == open.end() || found->right != t.right) continue;
-      for (; from < std::size_t(found - open.begin()); ++from) close(open[from], y0);
+      for (; from < std::size_t(found - open.begin()); ++from)
+        close(open[from], y0);
       t.y = found->y;
       ++from;
     }
-    for (; from < open.size(); ++from) close(open[from], y0);
+    for (; from < open.size(); ++from)
+      close(open[from], y0);
     open.swap(next);
   }
-  for (const Trapezoid& t : open) close(t, heights.back());
+  for (const Trapezoid& t : open)
+    close(t, heights.back());
   return triangles;
 }
 
@@ -143,7 +146,8 @@ PackedPolygon pack_polygon(const PolygonLight& light) {
 
   const std::vector<Triangle> triangles = triangulate(edges);
   double total = 0;
-  for (const Triangle& t : triangles) total += area_of(t);
+  for (const Triangle& t : triangles)
+    total += area_of(t);
   if (!(total > 0) || !std::isfinite(total) || !(signed_area > 0)) {
     packed.points.clear();
     packed.in_plane.clear();

@@ -61,15 +61,16 @@ std::array<float, k_cdf_size + 1> make_inverse_cdf() {
   std::array<double, k_fine + 1> cdf{};
   for (int i = 0; i < k_fine; ++i) {
     const double t = (i + 0.5) / k_fine * 2 * pi;
-    const double w = 0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) -
-                     0.01168 * std::cos(3 * t);
+    const double w =
+        0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) - 0.01168 * std::cos(3 * t);
     cdf[std::size_t(i) + 1] = cdf[std::size_t(i)] + w;
   }
   std::array<float, k_cdf_size + 1> inverse{};
   std::size_t k = 0;
   for (int i = 0; i <= k_cdf_size; ++i) {
     const double wanted = cdf[k_fine] * i / k_cdf_size;
-    while (k < k_fine && cdf[k + 1] < wanted) ++k;
+    while (k < k_fine && cdf[k + 1] < wanted)
+      ++k;
     const double step = k < k_fine ? cdf[k + 1] - cdf[k] : 1;
     const double x = (double(k) + (step > 0 ? (wanted - cdf[k]) / step : 0)) / k_fine;
     inverse[std::size_t(i)] = float((2 * x - 1) * double(k_radius));

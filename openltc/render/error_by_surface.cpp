@@ -51,9 +51,9 @@ void row_kinds(const scene::Scene& scene, const TextureSet& textures, const RayS
     kinds[i] = "background";
     if (hits.mesh[i] < 0) continue;
     const Vec3f d(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]);
-    kinds[i] = kind_of(evaluate_surface(scene, textures, std::uint32_t(hits.mesh[i]),
-                                        hits.triangle[i], hits.u[i], hits.v[i], d,
-                                        camera.footprint(hits.distance[i])));
+    kinds[i] =
+        kind_of(evaluate_surface(scene, textures, std::uint32_t(hits.mesh[i]), hits.triangle[i],
+                                 hits.u[i], hits.v[i], d, camera.footprint(hits.distance[i])));
   }
 }
 
@@ -81,8 +81,7 @@ Result<std::vector<SurfaceError>> error_by_surface(const scene::Scene& scene,
       const auto relative = [&](float u, float v) {
         return std::abs(double(u) - double(v)) / (std::abs(double(v)) + eps);
       };
-      const double error =
-          (relative(p.x, q.x) + relative(p.y, q.y) + relative(p.z, q.z)) / 3;
+      const double error = (relative(p.x, q.x) + relative(p.y, q.y) + relative(p.z, q.z)) / 3;
       if (!std::isfinite(error)) continue;
       SurfaceError& sum = kinds[kind[lane]];
       ++sum.pixels;

@@ -16,7 +16,7 @@ namespace openltc::render {
 
 /// The pixels that show one kind of surface.
 struct SurfaceError {
-  std::string surface;      ///< e.g. "metal, roughness 0.2-0.4, grazing", "emitter", "background"
+  std::string surface; ///< e.g. "metal, roughness 0.2-0.4, grazing", "emitter", "background"
   int pixels = 0;
   double mean_relative = 0; ///< mean of |a - b| / (|b| + eps) over them
   double max_relative = 0;  ///< largest of a pixel's three channels' mean

@@ -7,8 +7,10 @@ namespace openltc::render {
 
 PointBuffer::PointBuffer(std::size_t capacity) : capacity_(capacity) {
   const std::size_t padded = capacity + k_batch_padding;
-  for (auto& field : fields_) field.assign(padded, 0.0f);
-  for (auto& channel : out_) channel.assign(padded, 0.0f);
+  for (auto& field : fields_)
+    field.assign(padded, 0.0f);
+  for (auto& channel : out_)
+    channel.assign(padded, 0.0f);
   seed_.assign(padded, 0);
   index_.assign(padded, 0);
   pixel_.assign(padded, 0);
@@ -45,7 +47,8 @@ void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
   if (count_ == 0) return;
   // Fill the last register with copies of the last point, so that every lane holds valid numbers.
   for (std::size_t i = count_; i % k_batch_padding != 0; ++i) {
-    for (auto& field : fields_) field[i] = field[count_ - 1];
+    for (auto& field : fields_)
+      field[i] = field[count_ - 1];
     weight_[i] = 0;
     pixel_[i] = pixel_[count_ - 1];
     seed_[i] = seed_[count_ - 1];
@@ -53,8 +56,10 @@ void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
   }
   ShadingBatch batch;
   batch.count = int(count_);
-  for (std::size_t f = 0; f < fields_.size(); ++f) batch.in[f] = fields_[f].data();
-  for (std::size_t c = 0; c < 3; ++c) batch.out[c] = out_[c].data();
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    batch.in[f] = fields_[f].data();
+  for (std::size_t c = 0; c < 3; ++c)
+    batch.out[c] = out_[c].data();
   batch.weight = weight_.data();
   batch.pixel = pixel_.data();
   batch.ratio_sums = ratio_sums.data();

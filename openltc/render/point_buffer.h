@@ -15,8 +15,8 @@ namespace openltc::render {
 
 /// Where a point's light goes.
 struct PointTarget {
-  std::uint32_t sample = 0;       ///< entry of the caller's camera samples
-  std::uint32_t pixel = 0;        ///< of the tile
+  std::uint32_t sample = 0; ///< entry of the caller's camera samples
+  std::uint32_t pixel = 0;  ///< of the tile
   std::uint32_t pixel_seed = 0;
   std::uint32_t sample_index = 0; ///< of the camera sample within the pixel
   float weight = 1;               ///< share in the camera sample

@@ -26,12 +26,12 @@ namespace openltc::render {
 
 namespace {
 
-constexpr int k_tile = 16;              // pixels; a row of a tile is one ray packet
-constexpr int k_max_layers = 32;        // blended surfaces along one camera ray; the last is opaque
+constexpr int k_tile = 16;       // pixels; a row of a tile is one ray packet
+constexpr int k_max_layers = 32; // blended surfaces along one camera ray; the last is opaque
 constexpr int k_max_clear_layers = 4096; // culled or fully clear ones, which do not count
-constexpr int k_max_size = 32768;       // pixels on a side
+constexpr int k_max_size = 32768;        // pixels on a side
 constexpr int k_tile_pixels = k_tile * k_tile;
-constexpr std::size_t k_batch = 4096;   // surface points per kernel call
+constexpr std::size_t k_batch = 4096; // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
 constexpr std::size_t k_max_polygon_lights = 20000; // 180 MB of shadow sums per thread
 
@@ -55,7 +55,9 @@ bool needs_ratio(const KernelContext& context) {
   return context.integrator == Integrator::ltc && context.trace && context.polygon_count > 0;
 }
 
-int divide_up(int a, int b) { return (a + b - 1) / b; }
+int divide_up(int a, int b) {
+  return (a + b - 1) / b;
+}
 
 /// One tile's pixels and the samples of the chunk in work.
 class Tile {
@@ -69,16 +71,16 @@ public:
     const int pixels = k_tile_pixels;
     std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
     if (needs_ratio(job_.context))
-      ratio_sums_.assign(std::size_t(job_.context.polygon_count) * k_ratio_sum_count *
-                             std::size_t(pixels),
-                         0.0f);
+      ratio_sums_.assign(
+          std::size_t(job_.context.polygon_count) * k_ratio_sum_count * std::size_t(pixels), 0.0f);
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
       if (interrupted()) return;
       const int count = std::min(chunk, samples - first);
       samples_.assign(std::size_t(pixels * count), Vec3f(0.0f));
       for (int s = 0; s < count; ++s)
-        for (int row = 0; row < height_; ++row) trace_row(row, first + s, s * pixels);
+        for (int row = 0; row < height_; ++row)
+          trace_row(row, first + s, s * pixels);
       shade_points();
       for (int i = 0; i < pixels * count; ++i) {
         const Vec3f& v = samples_[std::size_t(i)];
@@ -255,9 +257,9 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   // The samples of the shadow ratio are spread over the pixel's camera samples.
   context.light_samples = reference ? 1 : divide_up(options.shadow_samples, options.samples);
   context.brdf_samples =
-      reference ? 1
-                : std::min(divide_up(options.shadow_samples, 2 * options.samples),
-                           k_max_brdf_samples);
+      reference
+          ? 1
+          : std::min(divide_up(options.shadow_samples, 2 * options.samples), k_max_brdf_samples);
   if (options.shadow_samples > 0) {
     context.trace = [](const void* tracer, const ShadowRays& shadow_rays) {
       static_cast<const RayScene*>(tracer)->trace_shadows(shadow_rays);

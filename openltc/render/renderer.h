@@ -40,13 +40,13 @@ struct RenderOptions {
 };
 
 struct Picture {
-  image::Image radiance;       ///< scene-linear, in the scene's units (nits)
+  image::Image radiance; ///< scene-linear, in the scene's units (nits)
   /// Standard error of each pixel's mean, per channel, from the variance of its camera samples. The
   /// samples are stratified, so this is an upper estimate. Means nothing where samples = 1.
   image::Image standard_error;
-  double build_seconds = 0;  ///< acceleration structure, textures
+  double build_seconds = 0; ///< acceleration structure, textures
   double render_seconds = 0;
-  std::string kernel;          ///< that shaded
+  std::string kernel; ///< that shaded
   std::vector<std::string> warnings;
 };
 

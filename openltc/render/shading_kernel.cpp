@@ -33,6 +33,8 @@ Kernel kernel_by_name(const char* name) {
   return {};
 }
 
-Kernel best_kernel() { return kernel_by_name("auto"); }
+Kernel best_kernel() {
+  return kernel_by_name("auto");
+}
 
 } // namespace openltc::render

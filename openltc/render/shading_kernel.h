@@ -18,23 +18,41 @@ namespace openltc::render {
 
 /// What is known of a surface point, one array per value. Directions are unit and in world space.
 enum PointField {
-  k_position_x, k_position_y, k_position_z,
-  k_normal_x, k_normal_y, k_normal_z,       ///< shading normal, on the viewer's side
-  k_geometric_x, k_geometric_y, k_geometric_z, ///< of the triangle, on the viewer's side
-  k_view_x, k_view_y, k_view_z,             ///< to the viewer
-  k_albedo_r, k_albedo_g, k_albedo_b,       ///< (1 - metallic) base colour
-  k_f0_r, k_f0_g, k_f0_b,
+  k_position_x,
+  k_position_y,
+  k_position_z,
+  k_normal_x,
+  k_normal_y,
+  k_normal_z, ///< shading normal, on the viewer's side
+  k_geometric_x,
+  k_geometric_y,
+  k_geometric_z, ///< of the triangle, on the viewer's side
+  k_view_x,
+  k_view_y,
+  k_view_z, ///< to the viewer
+  k_albedo_r,
+  k_albedo_g,
+  k_albedo_b, ///< (1 - metallic) base colour
+  k_f0_r,
+  k_f0_g,
+  k_f0_b,
   k_f90,
-  k_roughness,                              ///< perceptual
-  k_offset,                                 ///< metres that shadow rays start off the surface
+  k_roughness, ///< perceptual
+  k_offset,    ///< metres that shadow rays start off the surface
   k_point_field_count
 };
 
 /// What the shadow ratio needs of one polygon light, summed over a pixel's points and samples.
 enum RatioSum {
-  k_closed_r, k_closed_g, k_closed_b,             ///< closed form, without shadow
-  k_unshadowed_r, k_unshadowed_g, k_unshadowed_b, ///< its estimate by sampling
-  k_shadowed_r, k_shadowed_g, k_shadowed_b,       ///< the same samples times their visibility
+  k_closed_r,
+  k_closed_g,
+  k_closed_b, ///< closed form, without shadow
+  k_unshadowed_r,
+  k_unshadowed_g,
+  k_unshadowed_b, ///< its estimate by sampling
+  k_shadowed_r,
+  k_shadowed_g,
+  k_shadowed_b, ///< the same samples times their visibility
   k_ratio_sum_count
 };
 
@@ -71,7 +89,7 @@ struct PunctualLightView {
   float direction[3] = {0, 0, -1}; ///< the way the light travels
   float intensity[3] = {0, 0, 0};  ///< candela, or lux when directional
   float range = 0;
-  bool spot = false;                   ///< has a cone
+  bool spot = false; ///< has a cone
   float cos_inner = 1, cos_outer = -1;
   bool directional = false;
 };
@@ -98,8 +116,8 @@ struct KernelContext {
   int punctual_count = 0;
   Integrator integrator = Integrator::ltc;
   PunctualForm punctual_form = PunctualForm::exact;
-  int light_samples = 0; ///< per point and polygon
-  int brdf_samples = 0;  ///< per point, shared by all polygons; at most k_max_brdf_samples
+  int light_samples = 0;        ///< per point and polygon
+  int brdf_samples = 0;         ///< per point, shared by all polygons; at most k_max_brdf_samples
   TraceShadows trace = nullptr; ///< null: no shadows
   const void* tracer = nullptr;
 };

@@ -4,9 +4,8 @@
 // The kernel in SIMD lanes. Compiled once per instruction set: the build defines
 // OPENLTC_KERNEL as its name, OPENLTC_LANES as its width, and gives the compiler its flags.
 
-#include "openltc/render/shading_kernel_variants.h"
-
 #include "openltc/base/sampling.h"
+#include "openltc/render/shading_kernel_variants.h"
 #include "openltc/target/vec.h"
 
 #include <hwy/highway.h>
@@ -18,13 +17,17 @@
 
 namespace openltc::render::OPENLTC_KERNEL {
 
+// clang-format off: each builds on the one before
+#include "openltc/render/shading_kernel.inc"
 #include "openltc/target/lanes.inc"
 #include "openltc/target/shade_all.inc"
-#include "openltc/render/shading_kernel.inc"
+// clang-format on
 
 static_assert(k_batch_padding % k_lanes == 0);
 static_assert(k_lanes == OPENLTC_LANES, "Highway did not choose the instruction set asked for");
 
-Kernel kernel() { return {OPENLTC_STRINGIFY(OPENLTC_KERNEL), k_lanes, shade_batch}; }
+Kernel kernel() {
+  return {OPENLTC_STRINGIFY(OPENLTC_KERNEL), k_lanes, shade_batch};
+}
 
 } // namespace openltc::render::OPENLTC_KERNEL

@@ -3,9 +3,8 @@
 //
 // The kernel without SIMD: the plain formulation, for machines without lanes and for comparison.
 
-#include "openltc/render/shading_kernel_variants.h"
-
 #include "openltc/base/sampling.h"
+#include "openltc/render/shading_kernel_variants.h"
 #include "openltc/target/vec.h"
 
 #include <cmath>
@@ -13,10 +12,14 @@
 namespace openltc::render::scalar {
 
 using Scalar = float;
+// clang-format off: each builds on the one before
+#include "openltc/render/shading_kernel.inc"
 #include "openltc/target/scalar.inc"
 #include "openltc/target/shade_all.inc"
-#include "openltc/render/shading_kernel.inc"
+// clang-format on
 
-Kernel kernel() { return {"scalar", k_lanes, shade_batch}; }
+Kernel kernel() {
+  return {"scalar", k_lanes, shade_batch};
+}
 
 } // namespace openltc::render::scalar

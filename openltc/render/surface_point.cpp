@@ -41,7 +41,9 @@ Vec3f safe_normalize(Vec3f v, Vec3f fallback) {
   return length2 > 1.0e-30f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
 }
 
-float saturate(float x) { return std::clamp(x, 0.0f, 1.0f); }
+float saturate(float x) {
+  return std::clamp(x, 0.0f, 1.0f);
+}
 
 // Side of a square of uv that covers as much as a square metre of the triangle.
 float uv_per_metre(const std::vector<Vec2f>& tex_coord, const Corner& c, Vec3f area_vector) {
@@ -107,9 +109,9 @@ SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textu
 
   // The position is interpolated between corners, so its rounding grows with their coordinates; it
   // does not depend on how far away the camera is.
-  const float magnitude = std::max({std::abs(pa.x), std::abs(pa.y), std::abs(pa.z),
-                                    std::abs(s.position.x), std::abs(s.position.y),
-                                    std::abs(s.position.z)});
+  const float magnitude =
+      std::max({std::abs(pa.x), std::abs(pa.y), std::abs(pa.z), std::abs(s.position.x),
+                std::abs(s.position.y), std::abs(s.position.z)});
   s.offset = magnitude * 1.0e-5f;
 
   // Footprint of the pixel on the surface, in uv; the shorter axis of the ellipse, since several

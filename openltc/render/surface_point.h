@@ -12,11 +12,11 @@ namespace openltc::render {
 
 /// A surface point with its material evaluated.
 struct SurfacePoint {
-  Vec3f position;     ///< world space
-  Vec3f normal;       ///< shading normal, unit, on the viewer's side
-  Vec3f geometric;    ///< of the triangle, unit, on the viewer's side
-  Vec3f view;         ///< unit, to the viewer
-  Vec3f albedo;       ///< (1 - metallic) base colour
+  Vec3f position;  ///< world space
+  Vec3f normal;    ///< shading normal, unit, on the viewer's side
+  Vec3f geometric; ///< of the triangle, unit, on the viewer's side
+  Vec3f view;      ///< unit, to the viewer
+  Vec3f albedo;    ///< (1 - metallic) base colour
   Vec3f f0;
   float f90 = 1;
   float roughness = 1; ///< perceptual
@@ -27,8 +27,8 @@ struct SurfacePoint {
 };
 
 /// Evaluates the material of mesh `mesh` where `direction` (unit, away from the camera) meets
-/// triangle `triangle` at barycentric (u, v). `footprint` is the width of the pixel there in metres,
-/// across the ray, for texture filtering.
+/// triangle `triangle` at barycentric (u, v). `footprint` is the width of the pixel there in
+/// metres, across the ray, for texture filtering.
 SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textures,
                               std::uint32_t mesh, std::uint32_t triangle, float u, float v,
                               Vec3f direction, float footprint);

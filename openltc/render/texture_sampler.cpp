@@ -12,21 +12,26 @@ namespace {
 
 int wrap(int i, int size, scene::Wrap mode) {
   switch (mode) {
-  case scene::Wrap::clamp_to_edge: return std::clamp(i, 0, size - 1);
+  case scene::Wrap::clamp_to_edge:
+    return std::clamp(i, 0, size - 1);
   case scene::Wrap::mirrored_repeat: {
     const int period = 2 * size;
     const int m = ((i % period) + period) % period;
     return m < size ? m : period - 1 - m;
   }
-  case scene::Wrap::repeat: break;
+  case scene::Wrap::repeat:
+    break;
   }
   return ((i % size) + size) % size;
 }
 
-Vec4f load4(const float* p) { return {p[0], p[1], p[2], p[3]}; }
+Vec4f load4(const float* p) {
+  return {p[0], p[1], p[2], p[3]};
+}
 
 Vec4f mix(Vec4f a, Vec4f b, float t) {
-  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t, a.w + (b.w - a.w) * t};
+  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,
+          a.w + (b.w - a.w) * t};
 }
 
 // Box filter of 2 x 2 texels; the last row or column of an odd size is used twice.
@@ -59,7 +64,8 @@ Vec4f MipTexture::bilinear(const image::Image& image, Vec2f uv) const {
   const float x = (uv.x - 2.0f * std::floor(0.5f * uv.x)) * float(image.width);
   const float y = (uv.y - 2.0f * std::floor(0.5f * uv.y)) * float(image.height);
   const auto clamped = [](scene::Wrap mode, float periodic, float plain, int size) {
-    return mode == scene::Wrap::clamp_to_edge ? std::clamp(plain, 0.0f, 1.0f) * float(size) : periodic;
+    return mode == scene::Wrap::clamp_to_edge ? std::clamp(plain, 0.0f, 1.0f) * float(size)
+                                              : periodic;
   };
   const float px = clamped(texture_->wrap_u, x, uv.x, image.width);
   const float py = clamped(texture_->wrap_v, y, uv.y, image.height);
@@ -71,7 +77,8 @@ Vec4f MipTexture::bilinear(const image::Image& image, Vec2f uv) const {
   const float fx = std::floor(px - 0.5f), fy = std::floor(py - 0.5f);
   const int i = int(fx), j = int(fy);
   const float tx = px - 0.5f - fx, ty = py - 0.5f - fy;
-  return mix(mix(texel(i, j), texel(i + 1, j), tx), mix(texel(i, j + 1), texel(i + 1, j + 1), tx), ty);
+  return mix(mix(texel(i, j), texel(i + 1, j), tx), mix(texel(i, j + 1), texel(i + 1, j + 1), tx),
+             ty);
 }
 
 Vec4f MipTexture::sample(Vec2f uv, float width) const {
@@ -90,7 +97,8 @@ Vec4f MipTexture::sample(Vec2f uv, float width) const {
 
 TextureSet::TextureSet(const scene::Scene& scene) {
   textures_.reserve(scene.textures.size());
-  for (const scene::Texture& t : scene.textures) textures_.emplace_back(t);
+  for (const scene::Texture& t : scene.textures)
+    textures_.emplace_back(t);
 }
 
 Vec4f TextureSet::sample(const scene::TextureRef& ref, const Vec2f tex_coord[2],

@@ -19,8 +19,12 @@ constexpr double k_margin = 1.08; // empty rim around the scene
 // Depth over width from which a scene is no chart any more and gets the full three-quarter view.
 constexpr double k_solid_depth = 0.3;
 
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
+Vec3f to_float(Vec3d v) {
+  return {float(v.x), float(v.y), float(v.z)};
+}
+Vec3d to_double(Vec3f v) {
+  return {double(v.x), double(v.y), double(v.z)};
+}
 
 // The extents of points in a view, each widened by the view's opening at the point's depth.
 struct Extent {
@@ -64,8 +68,8 @@ Camera frame(Bounds bounds, float aspect, const Visit& visit) {
   //   |p_x - cx| <= tan_x (D - p_back), and likewise in y:
   // the right and left extents give cx where they balance, and D where both are just met.
   const double cx = 0.5 * (e.rightmost - e.left), cy = 0.5 * (e.top - e.bottom);
-  double distance = std::max(0.5 * (e.rightmost + e.left) / e.tan_x,
-                             0.5 * (e.top + e.bottom) / e.tan_y);
+  double distance =
+      std::max(0.5 * (e.rightmost + e.left) / e.tan_x, 0.5 * (e.top + e.bottom) / e.tan_y);
   distance = std::max(distance, e.nearest + 0.05 * length(size));
 
   Camera camera;
@@ -95,10 +99,12 @@ Camera frame_scene(const Bounds& given, float aspect) {
 }
 
 Camera frame_scene(const Scene& scene, float aspect) {
-  if (!(length(scene.bounds.upper - scene.bounds.lower) > 0)) return frame_scene(scene.bounds, aspect);
+  if (!(length(scene.bounds.upper - scene.bounds.lower) > 0))
+    return frame_scene(scene.bounds, aspect);
   return frame(scene.bounds, aspect, [&](const auto& add) {
     for (const Mesh& mesh : scene.meshes)
-      for (const Vec3f& p : mesh.positions) add(p);
+      for (const Vec3f& p : mesh.positions)
+        add(p);
   });
 }
 

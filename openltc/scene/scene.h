@@ -47,8 +47,8 @@ struct Material {
   Vec4f base_color{1, 1, 1, 1}; ///< linear, straight alpha
   TextureRef base_color_texture;
   float metallic = 1;
-  float roughness = 1;                     ///< perceptual
-  TextureRef metallic_roughness_texture;   ///< G = roughness, B = metallic
+  float roughness = 1;                   ///< perceptual
+  TextureRef metallic_roughness_texture; ///< G = roughness, B = metallic
   TextureRef normal_texture;
   float normal_scale = 1;
   TextureRef occlusion_texture; ///< kept for completeness; direct light is not attenuated by it
@@ -70,11 +70,11 @@ struct Material {
 /// `positions`; normals are never empty. All positions are finite, all indices in range.
 struct Mesh {
   std::string name;
-  int material = 0; ///< index into Scene::materials
+  int material = 0;                                    ///< index into Scene::materials
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from the front
   std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;   ///< unit
-  std::vector<Vec4f> tangents;  ///< unit xyz, w = sign of the bitangent; empty without a normal map
+  std::vector<Vec3f> normals;  ///< unit
+  std::vector<Vec4f> tangents; ///< unit xyz, w = sign of the bitangent; empty without a normal map
   std::vector<Vec2f> tex_coord_0;
   std::vector<Vec2f> tex_coord_1;
   std::vector<Vec4f> colors; ///< linear
@@ -88,11 +88,11 @@ struct Camera {
   Projection projection = Projection::perspective;
   Vec3f position{0, 0, 0};
   Vec3f right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1}; ///< orthonormal, world space
-  float fov_y_rad = 0.8f;   ///< perspective: full vertical angle
-  float height = 2;         ///< orthographic: full height of the view, metres
-  float aspect = 0;         ///< width / height, 0 = that of the picture
-  float near = 0;           ///< metres; geometry closer is not seen
-  float far = 0;            ///< metres, 0 = infinite
+  float fov_y_rad = 0.8f;                               ///< perspective: full vertical angle
+  float height = 2; ///< orthographic: full height of the view, metres
+  float aspect = 0; ///< width / height, 0 = that of the picture
+  float near = 0;   ///< metres; geometry closer is not seen
+  float far = 0;    ///< metres, 0 = infinite
 };
 
 struct Bounds {
@@ -105,7 +105,7 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Camera> cameras;
   light::Lights lights;
-  Bounds bounds; ///< of all positions
+  Bounds bounds;                     ///< of all positions
   std::vector<std::string> warnings; ///< for the user, each one line
 };
 

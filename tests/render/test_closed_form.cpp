@@ -3,10 +3,9 @@
 //
 // The closed form in a picture, against converged quadrature of the same integral.
 
-#include "test_scenes.h"
-
 #include "openltc/render/camera_rays.h"
 #include "openltc/render/renderer.h"
+#include "test_scenes.h"
 
 #include <doctest/doctest.h>
 
@@ -53,15 +52,16 @@ TEST_CASE("Lambertian floor under polygon lights equals quadrature to 1e-4 at ev
   const std::vector<Rectangle> rectangles = {
       {-0.5, -0.5, 0.5, 0.5, 1.0}, {1.0, -2.0, 1.3, 1.0, 0.4}, {-3.0, -3.0, -1.0, 2.0, 2.5}};
   for (const Rectangle& r : rectangles)
-    scene.lights.polygons.push_back(test::ceiling_rectangle(
-        float(r.x0), float(r.z0), float(r.x1), float(r.z1), float(r.height), 100));
+    scene.lights.polygons.push_back(test::ceiling_rectangle(float(r.x0), float(r.z0), float(r.x1),
+                                                            float(r.z1), float(r.height), 100));
   // An L of two rectangles, as one outline.
-  scene.lights.polygons.push_back(test::ceiling_light(
-      {{{2, 2}, {4, 2}, {4, 3}, {3, 3}, {3, 4}, {2, 4}}}, 1.5f, 100));
+  scene.lights.polygons.push_back(
+      test::ceiling_light({{{2, 2}, {4, 2}, {4, 3}, {3, 3}, {3, 4}, {2, 4}}}, 1.5f, 100));
   // A frame: a square with a square hole.
-  scene.lights.polygons.push_back(test::ceiling_light(
-      {{{-4, 2}, {-2, 2}, {-2, 4}, {-4, 4}}, {{-3.5f, 2.5f}, {-3.5f, 3.5f}, {-2.5f, 3.5f}, {-2.5f, 2.5f}}},
-      1.2f, 100));
+  scene.lights.polygons.push_back(
+      test::ceiling_light({{{-4, 2}, {-2, 2}, {-2, 4}, {-4, 4}},
+                           {{-3.5f, 2.5f}, {-3.5f, 3.5f}, {-2.5f, 3.5f}, {-2.5f, 2.5f}}},
+                          1.2f, 100));
 
   const scene::Camera camera = test::look_at({0, 6, 0.01f}, {0, 0, 0}, 1.2f);
   render::RenderOptions options;
@@ -81,10 +81,11 @@ TEST_CASE("Lambertian floor under polygon lights equals quadrature to 1e-4 at ev
       const double px = double(ray.origin.x) + t * double(ray.direction.x);
       const double pz = double(ray.origin.z) + t * double(ray.direction.z);
       double expected = 0;
-      for (const Rectangle& r : rectangles) expected += quadrature(r, px, pz);
+      for (const Rectangle& r : rectangles)
+        expected += quadrature(r, px, pz);
       expected += quadrature({2, 2, 4, 3, 1.5}, px, pz) + quadrature({2, 3, 3, 4, 1.5}, px, pz);
-      expected += quadrature({-4, 2, -2, 4, 1.2}, px, pz) -
-                  quadrature({-3.5, 2.5, -2.5, 3.5, 1.2}, px, pz);
+      expected +=
+          quadrature({-4, 2, -2, 4, 1.2}, px, pz) - quadrature({-3.5, 2.5, -2.5, 3.5, 1.2}, px, pz);
       const float* rgb = picture->radiance.pixel(x, y);
       const double albedo[3] = {0.5, 0.25, 0.75};
       for (int c = 0; c < 3; ++c) {
@@ -114,9 +115,12 @@ TEST_CASE("a light shines to its front only, unless it has two sides") {
                                     table::builtin_ggx_table(), options);
       REQUIRE(picture.ok());
       double sum = 0;
-      for (const float v : picture->radiance.data) sum += double(v);
-      if (two_sided) CHECK(sum > 1);
-      else CHECK(sum == 0);
+      for (const float v : picture->radiance.data)
+        sum += double(v);
+      if (two_sided)
+        CHECK(sum > 1);
+      else
+        CHECK(sum == 0);
     }
   }
 }

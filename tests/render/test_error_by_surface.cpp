@@ -3,9 +3,8 @@
 //
 // The error of a picture, sorted by what its pixels show.
 
-#include "test_scenes.h"
-
 #include "openltc/render/error_by_surface.h"
+#include "test_scenes.h"
 
 #include <doctest/doctest.h>
 
@@ -36,7 +35,8 @@ TEST_CASE("error by surface: kinds, pixels, shares and places") {
   CHECK(pixels == 61 * 40);
 
   // An error of 1 in the middle, where the metal is; nowhere else.
-  for (int c = 0; c < 3; ++c) picture.pixel(30, 20)[c] = 3.0f;
+  for (int c = 0; c < 3; ++c)
+    picture.pixel(30, 20)[c] = 3.0f;
   const auto errors = render::error_by_surface(scene, camera, picture, truth, 0.5);
   REQUIRE(errors.ok());
   const render::SurfaceError& worst = (*errors)[0];

@@ -3,11 +3,10 @@
 //
 // The reference integrator, against what is known without it; and the LTC integrator against it.
 
-#include "test_scenes.h"
-
 #include "openltc/image/metrics.h"
 #include "openltc/render/renderer.h"
 #include "openltc/scene/gltf.h"
+#include "test_scenes.h"
 
 #include <doctest/doctest.h>
 
@@ -19,7 +18,8 @@ using namespace openltc;
 namespace {
 
 render::Picture rendered(const scene::Scene& scene, render::Integrator integrator, int samples,
-                         int shadow_samples, render::PunctualForm form = render::PunctualForm::exact) {
+                         int shadow_samples,
+                         render::PunctualForm form = render::PunctualForm::exact) {
   render::RenderOptions options;
   options.width = 64;
   options.height = 48;
@@ -35,25 +35,28 @@ render::Picture rendered(const scene::Scene& scene, render::Integrator integrato
 
 double mean(const image::Image& image) {
   double sum = 0;
-  for (const float v : image.data) sum += double(v);
+  for (const float v : image.data)
+    sum += double(v);
   return sum / double(image.data.size());
 }
 
 double mean_absolute_difference(const image::Image& a, const image::Image& b) {
   double sum = 0;
-  for (std::size_t i = 0; i < a.data.size(); ++i) sum += std::abs(double(a.data[i]) - double(b.data[i]));
+  for (std::size_t i = 0; i < a.data.size(); ++i)
+    sum += std::abs(double(a.data[i]) - double(b.data[i]));
   return sum / double(a.data.size());
 }
 
 scene::Scene spheres(bool with_metal) {
   scene::Scene scene;
   test::add_floor(scene, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.5f, false));
-  test::add_sphere(scene, {-1.2f, 0.7f, 0}, 0.7f, test::glossy_material({0.8f, 0.3f, 0.2f}, 0.2f, false));
+  test::add_sphere(scene, {-1.2f, 0.7f, 0}, 0.7f,
+                   test::glossy_material({0.8f, 0.3f, 0.2f}, 0.2f, false));
   test::add_sphere(scene, {1.2f, 0.7f, 0}, 0.7f,
-             test::glossy_material({0.9f, 0.8f, 0.5f}, 0.35f, with_metal));
+                   test::glossy_material({0.9f, 0.8f, 0.5f}, 0.35f, with_metal));
   scene.lights.polygons.push_back(test::ceiling_rectangle(-1, -1, 1, 1, 4, 50));
-  scene.lights.polygons.push_back(test::ceiling_light(
-      {{{-4, -2}, {-2, -2}, {-2, 0}, {-3, 0}, {-3, 1}, {-4, 1}}}, 3, 20));
+  scene.lights.polygons.push_back(
+      test::ceiling_light({{{-4, -2}, {-2, -2}, {-2, 0}, {-3, 0}, {-3, 1}, {-4, 1}}}, 3, 20));
   return scene;
 }
 
@@ -67,7 +70,8 @@ TEST_CASE("reference equals the closed form on a Lambertian scene") {
   const render::Picture ltc = rendered(scene, render::Integrator::ltc, 64, 0);
   const render::Picture reference = rendered(scene, render::Integrator::reference, 1024, 0);
   CHECK(mean(ltc.radiance) == doctest::Approx(mean(reference.radiance)).epsilon(0.002));
-  CHECK(mean_absolute_difference(ltc.radiance, reference.radiance) < 0.01 * mean(reference.radiance));
+  CHECK(mean_absolute_difference(ltc.radiance, reference.radiance) <
+        0.01 * mean(reference.radiance));
 }
 
 TEST_CASE("the standard error of the reference covers its true error") {
@@ -147,7 +151,8 @@ TEST_CASE("the demo scene, unshadowed: mean relative error of at most 3 %") {
   auto ltc = render::render(*scene, scene->cameras.at(0), table::builtin_ggx_table(), options);
   options.integrator = render::Integrator::reference;
   options.samples = 1024;
-  auto reference = render::render(*scene, scene->cameras.at(0), table::builtin_ggx_table(), options);
+  auto reference =
+      render::render(*scene, scene->cameras.at(0), table::builtin_ggx_table(), options);
   REQUIRE(ltc.ok());
   REQUIRE(reference.ok());
   const double error = image::compare(ltc->radiance, reference->radiance).mean_relative;
@@ -177,7 +182,8 @@ TEST_CASE("point, spot and directional lights: illuminance on a floor") {
   sun.intensity = Vec3f(30);
   light::PunctualLight near = point;
   near.range = 1.9f;
-  for (const Case& c : {Case{point, 25}, Case{spot, 25}, Case{away, 0}, Case{sun, 30}, Case{near, 0}}) {
+  for (const Case& c :
+       {Case{point, 25}, Case{spot, 25}, Case{away, 0}, Case{sun, 30}, Case{near, 0}}) {
     scene::Scene scene;
     test::add_floor(scene, 5, 0, test::diffuse_material({0.5f, 0.5f, 0.5f}));
     scene.lights.punctual.push_back(c.light);
@@ -202,7 +208,8 @@ TEST_CASE("a point light by its LTC density is close to the exact BRDF, not equa
   const render::Picture exact = rendered(scene, render::Integrator::ltc, 4, 0);
   const render::Picture ltc =
       rendered(scene, render::Integrator::ltc, 4, 0, render::PunctualForm::ltc);
-  const double error = mean_absolute_difference(ltc.radiance, exact.radiance) / mean(exact.radiance);
+  const double error =
+      mean_absolute_difference(ltc.radiance, exact.radiance) / mean(exact.radiance);
   MESSAGE("mean absolute difference over mean radiance: " << error);
   CHECK(error > 1e-5);
   CHECK(error < 0.05);

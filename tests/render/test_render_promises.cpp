@@ -3,9 +3,8 @@
 //
 // Promises of the renderer that are not about light: same bytes, kernels agree, alpha, errors.
 
-#include "test_scenes.h"
-
 #include "openltc/render/renderer.h"
+#include "test_scenes.h"
 
 #include <doctest/doctest.h>
 
@@ -21,8 +20,10 @@ const scene::Camera k_camera = test::look_at({0, 2.5f, 5}, {0, 0.7f, 0}, 0.7f);
 scene::Scene busy_scene() {
   scene::Scene scene;
   test::add_floor(scene, 20, 0, test::glossy_material({0.4f, 0.4f, 0.4f}, 0.5f, false));
-  test::add_sphere(scene, {-0.8f, 0.7f, 0}, 0.7f, test::glossy_material({0.8f, 0.3f, 0.2f}, 0.05f, false));
-  test::add_sphere(scene, {0.8f, 0.7f, 0}, 0.7f, test::glossy_material({0.9f, 0.8f, 0.5f}, 0.0f, true));
+  test::add_sphere(scene, {-0.8f, 0.7f, 0}, 0.7f,
+                   test::glossy_material({0.8f, 0.3f, 0.2f}, 0.05f, false));
+  test::add_sphere(scene, {0.8f, 0.7f, 0}, 0.7f,
+                   test::glossy_material({0.9f, 0.8f, 0.5f}, 0.0f, true));
   scene.lights.polygons.push_back(test::ceiling_rectangle(-1, -1, 1, 1, 4, 50));
   light::PunctualLight point;
   point.position = {2, 3, 2};
@@ -132,7 +133,8 @@ TEST_CASE("alpha: masked surfaces let light through, blended ones a part of it")
   CHECK(floor_radiance(scene::AlphaMode::mask, 0.8f) == 0);
   CHECK(floor_radiance(scene::AlphaMode::opaque, 0.2f) == 0);
   CHECK(floor_radiance(scene::AlphaMode::blend, 0.0f) == doctest::Approx(open));
-  CHECK(floor_radiance(scene::AlphaMode::blend, 0.25f) == doctest::Approx(0.75 * open).epsilon(1e-4));
+  CHECK(floor_radiance(scene::AlphaMode::blend, 0.25f) ==
+        doctest::Approx(0.75 * open).epsilon(1e-4));
   CHECK(floor_radiance(scene::AlphaMode::blend, 1.0f) == 0);
 }
 

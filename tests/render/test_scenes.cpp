@@ -38,8 +38,8 @@ scene::Mesh& add_mesh(scene::Scene& scene, const scene::Material& material) {
 
 void add_floor(scene::Scene& scene, float half, float height, const scene::Material& material) {
   scene::Mesh& mesh = add_mesh(scene, material);
-  mesh.positions = {{-half, height, half}, {half, height, half}, {half, height, -half},
-                    {-half, height, -half}};
+  mesh.positions = {
+      {-half, height, half}, {half, height, half}, {half, height, -half}, {-half, height, -half}};
   mesh.normals.assign(4, {0, 1, 0});
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
 }
@@ -51,7 +51,8 @@ void add_sphere(scene::Scene& scene, Vec3f center, float radius, const scene::Ma
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i) {
       const float theta = pi * float(j) / rows, phi = 2 * pi * float(i) / columns;
-      const Vec3f n(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi));
+      const Vec3f n(std::sin(theta) * std::cos(phi), std::cos(theta),
+                    -std::sin(theta) * std::sin(phi));
       mesh.normals.push_back(n);
       mesh.positions.push_back(center + n * radius);
     }
@@ -68,7 +69,8 @@ light::PolygonLight ceiling_light(const std::vector<std::vector<Vec2f>>& rings, 
   light::PolygonLight light;
   light.name = "ceiling";
   for (const auto& ring : rings) {
-    for (const Vec2f p : ring) light.vertices.push_back({p.x, height, p.y});
+    for (const Vec2f p : ring)
+      light.vertices.push_back({p.x, height, p.y});
     light.ring_end.push_back(std::uint32_t(light.vertices.size()));
   }
   light.normal = {0, -1, 0};

@@ -4,10 +4,9 @@
 // What a ray meets and how it is lit there: emitters that do not light themselves, light that does
 // not pass through walls, layers, cameras, textures.
 
-#include "test_scenes.h"
-
 #include "openltc/render/renderer.h"
 #include "openltc/render/surface_point.h"
+#include "test_scenes.h"
 
 #include <doctest/doctest.h>
 
@@ -103,7 +102,8 @@ TEST_CASE("an emitter does not light itself, nor a wall flush with it, however i
 TEST_CASE("light does not pass through a wall whose normals are tilted") {
   scene::Scene scene;
   test::add_floor(scene, 10, 0, test::glossy_material({0.8f, 0.8f, 0.8f}, 0.5f, false));
-  for (Vec3f& n : scene.meshes[0].normals) n = normalize(Vec3f(0.75f, 1, 0));
+  for (Vec3f& n : scene.meshes[0].normals)
+    n = normalize(Vec3f(0.75f, 1, 0));
   light::PolygonLight below = test::ceiling_rectangle(1, -1, 3, 1, -0.5f, 1000);
   below.two_sided = true;
   scene.lights.polygons.push_back(below);
@@ -112,7 +112,9 @@ TEST_CASE("light does not pass through a wall whose normals are tilted") {
   point.intensity = Vec3f(1000);
   scene.lights.punctual.push_back(point);
   for (const auto integrator : k_both)
-    CHECK(largest(rendered(scene, test::look_at({0, 4, 1}, {0, 0, 0}, 0.8f), integrator).radiance) == 0);
+    CHECK(
+        largest(rendered(scene, test::look_at({0, 4, 1}, {0, 0, 0}, 0.8f), integrator).radiance) ==
+        0);
 }
 
 TEST_CASE("an emitter that is not quite flat does not shadow its own light") {
@@ -128,7 +130,8 @@ TEST_CASE("an emitter that is not quite flat does not shadow its own light") {
     const auto picture = rendered(scene, test::look_at({0, 0.3f, 2}, {0, 0, 0}, 0.3f),
                                   render::Integrator::reference, shadows ? 1 : 0);
     double sum = 0;
-    for (const float v : picture.radiance.data) sum += double(v);
+    for (const float v : picture.radiance.data)
+      sum += double(v);
     return sum;
   };
   const double open = mean(0.0005f, false);
@@ -137,7 +140,8 @@ TEST_CASE("an emitter that is not quite flat does not shadow its own light") {
   CHECK(mean(0.0f, true) < 0.5 * open);
 }
 
-TEST_CASE("white furnace: six walls of radiance 1 give at most 1, and the closed form little more") {
+TEST_CASE(
+    "white furnace: six walls of radiance 1 give at most 1, and the closed form little more") {
   for (const float roughness : {0.05f, 0.3f, 0.6f, 1.0f}) {
     scene::Scene scene;
     test::add_sphere(scene, {0, 0, 0}, 0.5f, test::glossy_material({1, 1, 1}, roughness, false));
@@ -167,7 +171,8 @@ TEST_CASE("white furnace: six walls of radiance 1 give at most 1, and the closed
     auto reference = render::render(scene, camera, table::builtin_ggx_table(), options);
     REQUIRE(reference.ok());
     double sum = 0;
-    for (const float v : reference->radiance.data) sum += double(v);
+    for (const float v : reference->radiance.data)
+      sum += double(v);
     CHECK(sum / double(reference->radiance.data.size()) == doctest::Approx(1.0).epsilon(0.01));
   }
 }
@@ -182,9 +187,10 @@ TEST_CASE("any number of clear layers hides nothing, too many blended ones lose 
       scene::Material pane = glow;
       pane.alpha_mode = scene::AlphaMode::blend;
       pane.base_color.w = alpha;
-      for (int i = 0; i < panes; ++i) test::add_floor(scene, 10, 0.01f * float(i + 1), pane);
-      const auto picture = rendered(scene, test::look_at({0, 4, 0.1f}, {0, 0, 0}, 0.1f),
-                                    render::Integrator::ltc);
+      for (int i = 0; i < panes; ++i)
+        test::add_floor(scene, 10, 0.01f * float(i + 1), pane);
+      const auto picture =
+          rendered(scene, test::look_at({0, 4, 0.1f}, {0, 0, 0}, 0.1f), render::Integrator::ltc);
       CHECK(double(picture.radiance.pixel(8, 8)[0]) == doctest::Approx(10));
     }
   }
@@ -199,8 +205,8 @@ TEST_CASE("what lies a millimetre behind a clear pane is seen from a kilometre a
   pane.alpha_mode = scene::AlphaMode::blend;
   pane.base_color.w = 0;
   test::add_floor(scene, 10, 0.01f, pane);
-  const auto picture = rendered(scene, test::look_at({0, 1000, 1}, {0, 0, 0}, 0.001f),
-                                render::Integrator::ltc);
+  const auto picture =
+      rendered(scene, test::look_at({0, 1000, 1}, {0, 0, 0}, 0.001f), render::Integrator::ltc);
   CHECK(picture.radiance.pixel(8, 8)[0] == 10);
 }
 
@@ -215,7 +221,8 @@ TEST_CASE("orthographic camera, near and far planes") {
   const auto lit_share = [&] {
     const auto picture = rendered(scene, camera, render::Integrator::ltc);
     double sum = 0;
-    for (const float v : picture.radiance.data) sum += double(v) / 10;
+    for (const float v : picture.radiance.data)
+      sum += double(v) / 10;
     return sum / double(picture.radiance.data.size());
   };
   CHECK(lit_share() == doctest::Approx(0.25).epsilon(0.03));
@@ -239,7 +246,8 @@ TEST_CASE("textures: normal maps turn the normal, each set of coordinates has it
   checker.image = image::Image(64, 64, 4);
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x)
-      for (int c = 0; c < 4; ++c) checker.image.pixel(x, y)[c] = float((x + y) % 2);
+      for (int c = 0; c < 4; ++c)
+        checker.image.pixel(x, y)[c] = float((x + y) % 2);
   scene.textures = {tilt, checker};
   scene::Material m = test::diffuse_material({1, 1, 1});
   m.normal_texture.texture = 0;
@@ -250,7 +258,8 @@ TEST_CASE("textures: normal maps turn the normal, each set of coordinates has it
   scene::Mesh& mesh = scene.meshes[0];
   mesh.tangents.assign(4, {1, 0, 0, 1});
   // Set 0 is nearly constant, so its footprint is small; set 1 decides for the checker.
-  for (Vec2f& t : mesh.tex_coord_0) t = t * 1.0e-3f;
+  for (Vec2f& t : mesh.tex_coord_0)
+    t = t * 1.0e-3f;
 
   const render::TextureSet textures(scene);
   const Vec3f away(0, 0, -1);

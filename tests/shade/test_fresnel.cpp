@@ -4,10 +4,9 @@
 // Which Fresnel reflectance the light of a polygon meets: that of its own direction, against the
 // exact BRDF integrated over the polygon.
 
+#include "openltc/table/lobe_table.h"
 #include "polygon_fixture.h"
 #include "random.h"
-
-#include "openltc/table/lobe_table.h"
 
 #include <doctest/doctest.h>
 
@@ -27,7 +26,8 @@ double exact_specular(const f64::Surface& s, Vec3d center, Vec3d u, Vec3d v, dou
   double sum = 0;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
-      const Vec3d q = center + u * (a * (2 * (i + 0.5) / n - 1)) + v * (b * (2 * (j + 0.5) / n - 1));
+      const Vec3d q =
+          center + u * (a * (2 * (i + 0.5) / n - 1)) + v * (b * (2 * (j + 0.5) / n - 1));
       const Vec3d d = q - s.position;
       const double distance2 = dot(d, d);
       const Vec3d wi = d / std::sqrt(distance2);
@@ -50,7 +50,8 @@ TEST_CASE("dielectrics: the Fresnel of the light's direction, not the lobe's ave
     const double theta = random.uniform(0.3, 1.45);
     const Vec3d wo(std::sin(theta), 0, std::cos(theta));
     const double roughness = random.uniform(0.2, 1.0);
-    const f64::Surface s = f64::make_surface(table, none, Vec3d(0, 0, 1), wo, none, f0, white, roughness);
+    const f64::Surface s =
+        f64::make_surface(table, none, Vec3d(0, 0, 1), wo, none, f0, white, roughness);
     const f64::Surface metal =
         f64::make_surface(table, none, Vec3d(0, 0, 1), wo, none, white, white, roughness);
 
@@ -65,7 +66,8 @@ TEST_CASE("dielectrics: the Fresnel of the light's direction, not the lobe's ave
     const f64::PolygonIntegral integral =
         f64::integrate_polygon(polygon.view(), none, s.frame, s.fitted.lobe);
     const double exact = exact_specular(s, center, plane.t1, plane.t2, a, b);
-    const double own = f64::specular_reflectance(s, integral.specular_direction, integral.specular).x;
+    const double own =
+        f64::specular_reflectance(s, integral.specular_direction, integral.specular).x;
     const double spread = s.specular.x * integral.specular;
     own_error += std::abs(own - exact);
     spread_error += std::abs(spread - exact);
@@ -90,8 +92,7 @@ TEST_CASE("the whole lobe has the table's albedo, a small light the exact Fresne
       const Vec3d wo(std::sin(theta), 0, std::cos(theta));
       const f64::Surface s =
           f64::make_surface(table, none, Vec3d(0, 0, 1), wo, none, f0, white, roughness);
-      const Vec3d axis =
-          f64::safe_direction(f64::from_cosine(s.fitted.lobe, Vec3d(0, 0, 1)));
+      const Vec3d axis = f64::safe_direction(f64::from_cosine(s.fitted.lobe, Vec3d(0, 0, 1)));
       CHECK(f64::specular_reflectance(s, axis, 1.0).x == doctest::Approx(s.specular.x));
 
       const Vec3d wi = f64::safe_direction(Vec3d(-0.3, 0.2, 0.8));

@@ -107,7 +107,9 @@ static bool sums_are_finite(const PolygonView& polygon, Vec3f position, const f3
   return true;
 }
 
-static bool is_unit(Vec3f v) { return std::abs(length(v) - 1) < 1e-5f; }
+static bool is_unit(Vec3f v) {
+  return std::abs(length(v) - 1) < 1e-5f;
+}
 
 TEST_CASE("degenerate outlines and positions give finite values in range") {
   Random random(12);
@@ -138,7 +140,8 @@ TEST_CASE("degenerate outlines and positions give finite values in range") {
       const f64::PolygonIntegral d64 =
           f64::integrate_polygon(polygon.view(), position, s.frame, s.lobe);
       CAPTURE(i);
-      CHECK(sums_are_finite(polygon.view(), to_float(position), to_float(s.frame), to_float(s.lobe)));
+      CHECK(
+          sums_are_finite(polygon.view(), to_float(position), to_float(s.frame), to_float(s.lobe)));
       CHECK(is_unit(single.specular_direction));
       CHECK(in_range(single.diffuse));
       CHECK(in_range(single.specular));
@@ -191,7 +194,7 @@ TEST_CASE("adversarial numbers never give NaN, infinity or a negative value") {
         to_float(f64::lobe_from_mirror(Vec4d(cos_theta + 1e-3, random.uniform(-1, 0),
                                              random.uniform(0, 1.5), 2 * cos_theta + 1e-3),
                                        alpha, cos_theta));
-    const Vec3f position(float(pick()), float(pick()), float(pick()));
+    const Vec3f position{float(pick()), float(pick()), float(pick())};
     const f32::PolygonIntegral d =
         f32::integrate_polygon(polygon.view(), position, to_float(frame), lobe);
     CAPTURE(i);
