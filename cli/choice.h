@@ -14,13 +14,11 @@
 namespace openltc::cli {
 
 /// The words of an option and the enumerator that each stands for, in the order of the help.
-template <class Enum>
-using Choices = std::vector<std::pair<std::string, Enum>>;
+template <class Enum> using Choices = std::vector<std::pair<std::string, Enum>>;
 
 /// For Option::transform: turns a word into the number that CLI11 reads an enumeration from. Only
 /// the words are taken, not the numbers, which CLI::CheckedTransformer would take as well.
-template <class Enum>
-CLI::Validator one_of(const Choices<Enum>& choices) {
+template <class Enum> CLI::Validator one_of(const Choices<Enum>& choices) {
   std::string words, listed;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     words += (i > 0 ? "|" : "") + choices[i].first;

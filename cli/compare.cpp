@@ -112,9 +112,7 @@ std::vector<std::uint8_t> mask_from(const Image& picture) {
 
 constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
 
-bool is_finite(Vec3f v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 struct Flip {
   Image map;        // NaN where a pixel is left out

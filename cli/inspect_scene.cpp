@@ -24,13 +24,9 @@ using Json = nlohmann::ordered_json;
 // A curved emitter can be thousands of lights; more than these are only in the JSON.
 constexpr std::size_t k_max_listed = 24;
 
-double degrees(double angle_rad) {
-  return angle_rad * 180 / std::numbers::pi;
-}
+double degrees(double angle_rad) { return angle_rad * 180 / std::numbers::pi; }
 
-Json numbers(Vec3f v) {
-  return Json::array({v.x, v.y, v.z});
-}
+Json numbers(Vec3f v) { return Json::array({v.x, v.y, v.z}); }
 
 void describe_geometry(const scene::Scene& scene, Description& out) {
   std::size_t triangles = 0, vertices = 0;

@@ -40,9 +40,7 @@ void catch_interrupts() {
   std::signal(SIGTERM, on_interrupt);
 }
 
-bool interrupted() {
-  return g_interrupted != 0;
-}
+bool interrupted() { return g_interrupted != 0; }
 
 Progress::Progress(std::string label, std::int64_t total, bool quiet)
     : label_(std::move(label)), total_(std::max<std::int64_t>(total, 1)), quiet_(quiet),

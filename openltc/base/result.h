@@ -18,8 +18,7 @@ struct Error {
 };
 
 /// Either a value or an Error. Test it, then take value() or error().
-template <class T>
-class [[nodiscard]] Result {
+template <class T> class [[nodiscard]] Result {
 public:
   Result(T value) : state_(std::move(value)) {}
   Result(Error error) : state_(std::move(error)) {}

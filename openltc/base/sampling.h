@@ -65,9 +65,7 @@ static inline std::uint32_t sobol_dimension_1(std::uint32_t index) {
 }
 
 /// A binary fraction as a float in [0, 1).
-static inline float fraction(std::uint32_t bits) {
-  return float(bits >> 8) * 0x1p-24f;
-}
+static inline float fraction(std::uint32_t bits) { return float(bits >> 8) * 0x1p-24f; }
 
 struct Sample2 {
   float u, v;

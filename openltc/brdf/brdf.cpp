@@ -33,9 +33,7 @@ const std::array<Brdf, 1>& registry() {
 
 } // namespace
 
-std::span<const Brdf> all_brdfs() {
-  return registry();
-}
+std::span<const Brdf> all_brdfs() { return registry(); }
 
 const Brdf* find_brdf(std::string_view name) {
   for (const Brdf& entry : registry())

@@ -123,9 +123,7 @@ Vec3f hunt_lab_from_rgb(Vec3f rgb) {
 }
 
 // HyAB (Abasi, Amani Tehran, Fairchild 2019): city block for lightness, Euclid for chroma.
-float hyab(Vec3f a, Vec3f b) {
-  return std::fabs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
-}
+float hyab(Vec3f a, Vec3f b) { return std::fabs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
 
 // --- Colour pipeline, section 4.1 ----------------------------------------------------------------
 
@@ -282,8 +280,7 @@ Plane flip_linear(const Planes& a, const Planes& b, double pixels_per_degree) {
 }
 
 // The pixels that are finite in both pictures, through `f`; black elsewhere.
-template <class F>
-Planes linear_planes(const Image& picture, const Image& other, F&& f) {
+template <class F> Planes linear_planes(const Image& picture, const Image& other, F&& f) {
   const Plane black(picture.width, picture.height);
   Planes out = {black, black, black};
   const auto finite = [](Vec3f v) {

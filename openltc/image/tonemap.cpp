@@ -23,17 +23,11 @@ constexpr float k_saturation = 1.2f;
 
 } // namespace
 
-float exposure_from_ev100(float ev100) {
-  return 1.0f / (k_saturation * std::exp2(ev100));
-}
+float exposure_from_ev100(float ev100) { return 1.0f / (k_saturation * std::exp2(ev100)); }
 
-float ev100_from_exposure(float exposure) {
-  return -std::log2(k_saturation * exposure);
-}
+float ev100_from_exposure(float exposure) { return -std::log2(k_saturation * exposure); }
 
-float luminance(Vec3f rgb) {
-  return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z;
-}
+float luminance(Vec3f rgb) { return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z; }
 
 float auto_exposure(const Image& image, const AutoExposureOptions& options) {
   std::vector<float> values;

@@ -16,21 +16,13 @@ namespace openltc::light {
 
 namespace {
 
-Vec3d to_double(Vec3f v) {
-  return {double(v.x), double(v.y), double(v.z)};
-}
+Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
 
-bool is_finite(Vec3f v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-bool is_non_negative(Vec3f v) {
-  return v.x >= 0 && v.y >= 0 && v.z >= 0;
-}
+bool is_non_negative(Vec3f v) { return v.x >= 0 && v.y >= 0 && v.z >= 0; }
 
-bool is_unit(Vec3f v) {
-  return std::abs(length(to_double(v)) - 1) < 1e-3;
-}
+bool is_unit(Vec3f v) { return std::abs(length(to_double(v)) - 1) < 1e-3; }
 
 } // namespace
 

@@ -19,9 +19,7 @@ namespace openltc::render {
 
 /// A ray query's context, which filter functions receive; extend by inheritance.
 using QueryContext = RTCRayQueryContext;
-inline void init_query(QueryContext& context) {
-  rtcInitRayQueryContext(&context);
-}
+inline void init_query(QueryContext& context) { rtcInitRayQueryContext(&context); }
 
 inline void intersect_16(const int* valid, RTCScene scene, QueryContext& context, bool coherent,
                          RTCRayHit16& rays) {
@@ -44,9 +42,7 @@ inline void occluded_16(const int* valid, RTCScene scene, QueryContext& context,
 #else
 
 using QueryContext = RTCIntersectContext;
-inline void init_query(QueryContext& context) {
-  rtcInitIntersectContext(&context);
-}
+inline void init_query(QueryContext& context) { rtcInitIntersectContext(&context); }
 
 inline void intersect_16(const int* valid, RTCScene scene, QueryContext& context, bool coherent,
                          RTCRayHit16& rays) {

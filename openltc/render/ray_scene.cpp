@@ -29,12 +29,8 @@ struct MeshUserData {
   std::uint32_t mesh;
 };
 
-bool is_blended(const scene::Material& m) {
-  return m.alpha_mode == scene::AlphaMode::blend;
-}
-bool needs_filter(const scene::Material& m) {
-  return m.alpha_mode != scene::AlphaMode::opaque;
-}
+bool is_blended(const scene::Material& m) { return m.alpha_mode == scene::AlphaMode::blend; }
+bool needs_filter(const scene::Material& m) { return m.alpha_mode != scene::AlphaMode::opaque; }
 
 float alpha_at(const MeshUserData& data, std::uint32_t triangle, float u, float v) {
   return surface_alpha(*data.scene, *data.textures, data.mesh, triangle, u, v);

@@ -55,9 +55,7 @@ bool needs_ratio(const KernelContext& context) {
   return context.integrator == Integrator::ltc && context.trace && context.polygon_count > 0;
 }
 
-int divide_up(int a, int b) {
-  return (a + b - 1) / b;
-}
+int divide_up(int a, int b) { return (a + b - 1) / b; }
 
 /// One tile's pixels and the samples of the chunk in work.
 class Tile {

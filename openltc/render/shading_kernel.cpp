@@ -33,8 +33,6 @@ Kernel kernel_by_name(const char* name) {
   return {};
 }
 
-Kernel best_kernel() {
-  return kernel_by_name("auto");
-}
+Kernel best_kernel() { return kernel_by_name("auto"); }
 
 } // namespace openltc::render

@@ -17,17 +17,16 @@
 
 namespace openltc::render::OPENLTC_KERNEL {
 
-// clang-format off: each builds on the one before
-#include "openltc/render/shading_kernel.inc"
+// Each builds on the one before.
+// clang-format off
 #include "openltc/target/lanes.inc"
 #include "openltc/target/shade_all.inc"
+#include "openltc/render/shading_kernel.inc"
 // clang-format on
 
 static_assert(k_batch_padding % k_lanes == 0);
 static_assert(k_lanes == OPENLTC_LANES, "Highway did not choose the instruction set asked for");
 
-Kernel kernel() {
-  return {OPENLTC_STRINGIFY(OPENLTC_KERNEL), k_lanes, shade_batch};
-}
+Kernel kernel() { return {OPENLTC_STRINGIFY(OPENLTC_KERNEL), k_lanes, shade_batch}; }
 
 } // namespace openltc::render::OPENLTC_KERNEL

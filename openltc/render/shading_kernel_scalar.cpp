@@ -12,14 +12,13 @@
 namespace openltc::render::scalar {
 
 using Scalar = float;
-// clang-format off: each builds on the one before
-#include "openltc/render/shading_kernel.inc"
+// Each builds on the one before.
+// clang-format off
 #include "openltc/target/scalar.inc"
 #include "openltc/target/shade_all.inc"
+#include "openltc/render/shading_kernel.inc"
 // clang-format on
 
-Kernel kernel() {
-  return {"scalar", k_lanes, shade_batch};
-}
+Kernel kernel() { return {"scalar", k_lanes, shade_batch}; }
 
 } // namespace openltc::render::scalar

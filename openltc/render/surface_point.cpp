@@ -41,9 +41,7 @@ Vec3f safe_normalize(Vec3f v, Vec3f fallback) {
   return length2 > 1.0e-30f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
 }
 
-float saturate(float x) {
-  return std::clamp(x, 0.0f, 1.0f);
-}
+float saturate(float x) { return std::clamp(x, 0.0f, 1.0f); }
 
 // Side of a square of uv that covers as much as a square metre of the triangle.
 float uv_per_metre(const std::vector<Vec2f>& tex_coord, const Corner& c, Vec3f area_vector) {

@@ -25,9 +25,7 @@ int wrap(int i, int size, scene::Wrap mode) {
   return ((i % size) + size) % size;
 }
 
-Vec4f load4(const float* p) {
-  return {p[0], p[1], p[2], p[3]};
-}
+Vec4f load4(const float* p) { return {p[0], p[1], p[2], p[3]}; }
 
 Vec4f mix(Vec4f a, Vec4f b, float t) {
   return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,

@@ -28,12 +28,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 // More lights than this deserve a word of warning: time grows with their number.
 constexpr std::size_t k_many_lights = 256;
 
-Vec3d to_double(Vec3f v) {
-  return {double(v.x), double(v.y), double(v.z)};
-}
-Vec3f to_float(Vec3d v) {
-  return {float(v.x), float(v.y), float(v.z)};
-}
+Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
+Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 struct CellHash {
   std::size_t operator()(const std::array<std::int64_t, 4>& cell) const {
@@ -48,8 +44,7 @@ using Cell = std::array<std::int64_t, 4>;
 using Grid = std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash>;
 
 // Calls visit(cell) for `center` and its neighbours in the first `dimensions` directions.
-template <class Visit>
-void for_neighbours(const Cell& center, int dimensions, const Visit& visit) {
+template <class Visit> void for_neighbours(const Cell& center, int dimensions, const Visit& visit) {
   int cells = 1;
   for (int d = 0; d < dimensions; ++d)
     cells *= 3;

@@ -19,12 +19,8 @@ constexpr double k_margin = 1.08; // empty rim around the scene
 // Depth over width from which a scene is no chart any more and gets the full three-quarter view.
 constexpr double k_solid_depth = 0.3;
 
-Vec3f to_float(Vec3d v) {
-  return {float(v.x), float(v.y), float(v.z)};
-}
-Vec3d to_double(Vec3f v) {
-  return {double(v.x), double(v.y), double(v.z)};
-}
+Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
+Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
 
 // The extents of points in a view, each widened by the view's opening at the point's depth.
 struct Extent {
@@ -44,8 +40,7 @@ struct Extent {
 };
 
 // Calls visit(add) to be given all points.
-template <class Visit>
-Camera frame(Bounds bounds, float aspect, const Visit& visit) {
+template <class Visit> Camera frame(Bounds bounds, float aspect, const Visit& visit) {
   const Vec3d size = to_double(bounds.upper) - to_double(bounds.lower);
   const double width = std::max(size.x, size.y);
   const double solid = width > 0 ? std::clamp(size.z / (k_solid_depth * width), 0.0, 1.0) : 1.0;

@@ -59,8 +59,7 @@ Scene import(std::span<const std::uint8_t> bytes, const std::string& base_dir) {
 }
 
 // Runs `load` and turns whatever it throws into one line that begins with `name`.
-template <class Load>
-Result<Scene> guarded(const std::string& name, const Load& load) {
+template <class Load> Result<Scene> guarded(const std::string& name, const Load& load) {
   try {
     return load();
   } catch (const gltf::Failure& failure) {

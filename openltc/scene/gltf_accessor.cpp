@@ -53,8 +53,7 @@ Range element_range(const Document& document, int view_index, std::size_t offset
   return {view.bytes.data() + offset, stride};
 }
 
-template <class T>
-T load(const std::uint8_t* bytes) {
+template <class T> T load(const std::uint8_t* bytes) {
   T value;
   std::memcpy(&value, bytes, sizeof value);
   return value;
@@ -157,9 +156,7 @@ void check_count(const Document& document, int index, std::size_t element_size) 
 
 } // namespace
 
-std::string accessor_field(int index) {
-  return fmt::format("accessors[{}]", index);
-}
+std::string accessor_field(int index) { return fmt::format("accessors[{}]", index); }
 
 Floats read_floats(const Document& document, int index) {
   const tinygltf::Accessor& accessor = document.model->accessors[std::size_t(index)];

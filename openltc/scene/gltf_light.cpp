@@ -26,9 +26,7 @@ namespace {
 
 constexpr double k_pi = std::numbers::pi;
 
-Vec3f to_float(Vec3d v) {
-  return {float(v.x), float(v.y), float(v.z)};
-}
+Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 struct Frame {
   Vec3d right, up, back; // orthonormal, x y z of the node

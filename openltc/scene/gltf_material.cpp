@@ -139,8 +139,7 @@ private:
     return 1;
   }
 
-  template <class Info>
-  TextureRef read_texture(const Info& info, ColorSpace space) {
+  template <class Info> TextureRef read_texture(const Info& info, ColorSpace space) {
     if (info.index < 0) return {};
     return make_reference(info.index, info.texCoord,
                           find_extension(info.extensions, "KHR_texture_transform"), space);
@@ -254,9 +253,7 @@ private:
 
 } // namespace
 
-void read_materials(Document& document, Scene& scene) {
-  Reader(document, scene).read();
-}
+void read_materials(Document& document, Scene& scene) { Reader(document, scene).read(); }
 
 VertexNeeds vertex_needs(const Material& material) {
   VertexNeeds needs;

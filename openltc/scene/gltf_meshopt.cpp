@@ -48,9 +48,7 @@ void check(const MeshoptStream& stream, const std::string& field) {
 
 } // namespace
 
-bool has_meshopt_decoder() {
-  return true;
-}
+bool has_meshopt_decoder() { return true; }
 
 std::vector<std::uint8_t> decode_meshopt(const MeshoptStream& stream, const std::string& field) {
   check(stream, field);
@@ -77,9 +75,7 @@ std::vector<std::uint8_t> decode_meshopt(const MeshoptStream& stream, const std:
 
 #else
 
-bool has_meshopt_decoder() {
-  return false;
-}
+bool has_meshopt_decoder() { return false; }
 
 std::vector<std::uint8_t> decode_meshopt(const MeshoptStream&, const std::string& field) {
   fail(field, "this build has no meshoptimizer; install it and build again, or export the file "

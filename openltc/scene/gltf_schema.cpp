@@ -400,8 +400,6 @@ private:
 
 } // namespace
 
-void check_schema(json& root) {
-  Checker(root).check_object(root, "", "root");
-}
+void check_schema(json& root) { Checker(root).check_object(root, "", "root"); }
 
 } // namespace openltc::scene::gltf

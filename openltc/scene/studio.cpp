@@ -44,9 +44,7 @@ double irradiance_per_radiance(double a, double b, double d) {
   return 2 * (a / da * std::atan(b / da) + b / db * std::atan(a / db));
 }
 
-Vec3f to_float(Vec3d v) {
-  return {float(v.x), float(v.y), float(v.z)};
-}
+Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 } // namespace
 

@@ -25,9 +25,7 @@ namespace openltc::scene {
 
 namespace {
 
-Vec3d to_double(Vec3f v) {
-  return {double(v.x), double(v.y), double(v.z)};
-}
+Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
 
 // The bits of what makes two corners one.
 struct CornerKey {
@@ -65,8 +63,7 @@ double corner_angle(Vec3d a, Vec3d b, Vec3d c) {
   return std::atan2(length(cross(u, v)), dot(u, v));
 }
 
-template <class T>
-void duplicate(std::vector<T>& values, std::size_t index) {
+template <class T> void duplicate(std::vector<T>& values, std::size_t index) {
   if (!values.empty()) values.push_back(T(values[index]));
 }
 

@@ -40,9 +40,7 @@ std::string number_rows(const LobeTable& table) {
   return rows;
 }
 
-std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump();
-}
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string text_of(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);

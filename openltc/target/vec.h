@@ -12,88 +12,48 @@
 
 namespace openltc {
 
-template <class R>
-struct Vec2T {
+template <class R> struct Vec2T {
   R x{}, y{};
   Vec2T() = default;
   Vec2T(R x_, R y_) : x(x_), y(y_) {}
 };
 
-template <class R>
-struct Vec3T {
+template <class R> struct Vec3T {
   R x{}, y{}, z{};
   Vec3T() = default;
   explicit Vec3T(R s) : x(s), y(s), z(s) {}
   Vec3T(R x_, R y_, R z_) : x(x_), y(y_), z(z_) {}
 };
 
-template <class R>
-struct Vec4T {
+template <class R> struct Vec4T {
   R x{}, y{}, z{}, w{};
   Vec4T() = default;
   Vec4T(R x_, R y_, R z_, R w_) : x(x_), y(y_), z(z_), w(w_) {}
 };
 
-template <class R>
-Vec2T<R> operator+(Vec2T<R> a, Vec2T<R> b) {
-  return {a.x + b.x, a.y + b.y};
-}
-template <class R>
-Vec2T<R> operator-(Vec2T<R> a, Vec2T<R> b) {
-  return {a.x - b.x, a.y - b.y};
-}
-template <class R>
-Vec2T<R> operator*(Vec2T<R> a, R s) {
-  return {a.x * s, a.y * s};
-}
-template <class R>
-Vec2T<R> operator*(R s, Vec2T<R> a) {
-  return {a.x * s, a.y * s};
-}
+template <class R> Vec2T<R> operator+(Vec2T<R> a, Vec2T<R> b) { return {a.x + b.x, a.y + b.y}; }
+template <class R> Vec2T<R> operator-(Vec2T<R> a, Vec2T<R> b) { return {a.x - b.x, a.y - b.y}; }
+template <class R> Vec2T<R> operator*(Vec2T<R> a, R s) { return {a.x * s, a.y * s}; }
+template <class R> Vec2T<R> operator*(R s, Vec2T<R> a) { return {a.x * s, a.y * s}; }
 
-template <class R>
-Vec3T<R> operator-(Vec3T<R> a) {
-  return {-a.x, -a.y, -a.z};
-}
-template <class R>
-Vec3T<R> operator+(Vec3T<R> a, Vec3T<R> b) {
+template <class R> Vec3T<R> operator-(Vec3T<R> a) { return {-a.x, -a.y, -a.z}; }
+template <class R> Vec3T<R> operator+(Vec3T<R> a, Vec3T<R> b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-template <class R>
-Vec3T<R> operator-(Vec3T<R> a, Vec3T<R> b) {
+template <class R> Vec3T<R> operator-(Vec3T<R> a, Vec3T<R> b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-template <class R>
-Vec3T<R> operator*(Vec3T<R> a, Vec3T<R> b) {
+template <class R> Vec3T<R> operator*(Vec3T<R> a, Vec3T<R> b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
-template <class R>
-Vec3T<R> operator*(Vec3T<R> a, R s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-template <class R>
-Vec3T<R> operator*(R s, Vec3T<R> a) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-template <class R>
-Vec3T<R> operator/(Vec3T<R> a, R s) {
-  return {a.x / s, a.y / s, a.z / s};
-}
-template <class R>
-Vec3T<R>& operator+=(Vec3T<R>& a, Vec3T<R> b) {
-  return a = a + b;
-}
-template <class R>
-Vec3T<R>& operator*=(Vec3T<R>& a, R s) {
-  return a = a * s;
-}
+template <class R> Vec3T<R> operator*(Vec3T<R> a, R s) { return {a.x * s, a.y * s, a.z * s}; }
+template <class R> Vec3T<R> operator*(R s, Vec3T<R> a) { return {a.x * s, a.y * s, a.z * s}; }
+template <class R> Vec3T<R> operator/(Vec3T<R> a, R s) { return {a.x / s, a.y / s, a.z / s}; }
+template <class R> Vec3T<R>& operator+=(Vec3T<R>& a, Vec3T<R> b) { return a = a + b; }
+template <class R> Vec3T<R>& operator*=(Vec3T<R>& a, R s) { return a = a * s; }
 
-template <class R>
-R dot(Vec3T<R> a, Vec3T<R> b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class R>
-Vec3T<R> cross(Vec3T<R> a, Vec3T<R> b) {
+template <class R> R dot(Vec3T<R> a, Vec3T<R> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class R> Vec3T<R> cross(Vec3T<R> a, Vec3T<R> b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
@@ -104,17 +64,9 @@ using Vec2d = Vec2T<double>;
 using Vec3d = Vec3T<double>;
 using Vec4d = Vec4T<double>;
 
-inline float length(Vec3f a) {
-  return std::sqrt(dot(a, a));
-}
-inline double length(Vec3d a) {
-  return std::sqrt(dot(a, a));
-}
-inline Vec3f normalize(Vec3f a) {
-  return a / length(a);
-}
-inline Vec3d normalize(Vec3d a) {
-  return a / length(a);
-}
+inline float length(Vec3f a) { return std::sqrt(dot(a, a)); }
+inline double length(Vec3d a) { return std::sqrt(dot(a, a)); }
+inline Vec3f normalize(Vec3f a) { return a / length(a); }
+inline Vec3d normalize(Vec3d a) { return a / length(a); }
 
 } // namespace openltc

@@ -16,8 +16,7 @@ using namespace openltc;
 namespace {
 
 // What is written to stderr while `work` runs; stderr is then no terminal.
-template <class Work>
-std::string written_to_stderr(const Work& work) {
+template <class Work> std::string written_to_stderr(const Work& work) {
   std::FILE* file = std::tmpfile();
   REQUIRE(file != nullptr);
   std::fflush(stderr);

@@ -83,21 +83,15 @@ Run run_tool(const std::vector<std::string>& arguments, const RunOptions& option
   return run;
 }
 
-int line_count(const std::string& text) {
-  return int(std::count(text.begin(), text.end(), '\n'));
-}
+int line_count(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-bool fails_naming(const Run& run, const std::string& part) {
-  return ended_as(run, 1, part);
-}
+bool fails_naming(const Run& run, const std::string& part) { return ended_as(run, 1, part); }
 
-bool refuses_usage(const Run& run, const std::string& part) {
-  return ended_as(run, 2, part);
-}
+bool refuses_usage(const Run& run, const std::string& part) { return ended_as(run, 2, part); }
 
 std::vector<std::uint8_t> bytes_of(const std::string& path) {
   return image::test::file_bytes(path);
@@ -142,8 +136,6 @@ void add_camera(GltfBuilder& scene, const std::string& name, double height) {
   scene.root["scenes"][0]["nodes"].push_back(node);
 }
 
-std::string demo_scene() {
-  return OPENLTC_SOURCE_DIR "/scenes/demo.glb";
-}
+std::string demo_scene() { return OPENLTC_SOURCE_DIR "/scenes/demo.glb"; }
 
 } // namespace openltc::test

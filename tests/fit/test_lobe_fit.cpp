@@ -25,9 +25,7 @@ const brdf::Brdf k_lambert = {
     [](Vec3d, double, Vec2d u) { return f64::sample_lambert(Vec2d(u.y, u.x)); },
     [](Vec3d, Vec3d wi, double) { return f64::pdf_lambert(wi); }};
 
-double& component(Vec4d& v, int k) {
-  return k == 0 ? v.x : k == 1 ? v.y : k == 2 ? v.z : v.w;
-}
+double& component(Vec4d& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : k == 2 ? v.z : v.w; }
 
 } // namespace
 

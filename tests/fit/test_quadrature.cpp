@@ -15,13 +15,9 @@ using namespace openltc;
 
 namespace {
 
-const brdf::Brdf& ggx() {
-  return *brdf::find_brdf("ggx");
-}
+const brdf::Brdf& ggx() { return *brdf::find_brdf("ggx"); }
 
-double radians(double degrees) {
-  return degrees * f64::k_pi / 180;
-}
+double radians(double degrees) { return degrees * f64::k_pi / 180; }
 
 // n1 and n5 by a plain product rule over the angles of wi, without any importance.
 brdf::BrdfValue product_rule(double roughness, double theta, int n) {

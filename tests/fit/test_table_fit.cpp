@@ -18,9 +18,7 @@ using namespace openltc;
 
 namespace {
 
-const brdf::Brdf& ggx() {
-  return *brdf::find_brdf("ggx");
-}
+const brdf::Brdf& ggx() { return *brdf::find_brdf("ggx"); }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool k_slow_build = true;

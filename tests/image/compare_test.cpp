@@ -37,9 +37,7 @@ Run run(const TemporaryFolder& folder, const std::string& arguments) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
 }
 
-int line_count(const std::string& text) {
-  return int(std::count(text.begin(), text.end(), '\n'));
-}
+int line_count(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
 
 // a = 1.1 b, with b from 1 to 2.
 struct Pair {

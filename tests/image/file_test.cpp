@@ -19,9 +19,7 @@ using namespace openltc::image::test;
 
 namespace {
 
-bool same_bits(float a, float b) {
-  return a == b || (std::isnan(a) && std::isnan(b));
-}
+bool same_bits(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float k_inf = std::numeric_limits<float>::infinity();

@@ -43,9 +43,7 @@ double glow(Place p) {
   return std::pow(10.0, 4.0 * p.u() - 3.0) * (0.5 + 0.25 * p.c * p.v()) + light;
 }
 
-double dark(Place p) {
-  return p.x < 30 ? 2.0 * p.v() + 0.1 * p.c : 0.0;
-}
+double dark(Place p) { return p.x < 30 ? 2.0 * p.v() + 0.1 * p.c : 0.0; }
 
 Image make(const std::function<double(Place)>& value) {
   Image image(k_width, k_height, 3);

@@ -15,9 +15,7 @@ namespace {
 using namespace openltc;
 using namespace openltc::light;
 
-double distance_from(Vec3f a, Vec3f b) {
-  return double(length(a - b));
-}
+double distance_from(Vec3f a, Vec3f b) { return double(length(a - b)); }
 
 TEST_CASE("rectangle_has_the_area_and_normal_of_its_sides") {
   const PolygonLight light =

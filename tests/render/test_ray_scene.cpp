@@ -22,12 +22,8 @@ constexpr std::size_t k_rays = 8 * render::RayPacket::k_size;
 
 using Point = std::array<double, 3>;
 
-Point to_double(Vec3f v) {
-  return {double(v.x), double(v.y), double(v.z)};
-}
-Point minus(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+Point to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 // Six times the volume of the tetrahedron o a b c.
 double volume(const Point& o, const Point& a, const Point& b, const Point& c) {
   const Point x = minus(a, o), y = minus(b, o), z = minus(c, o);

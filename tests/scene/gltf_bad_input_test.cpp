@@ -15,9 +15,7 @@ namespace {
 using namespace openltc;
 using namespace openltc::test;
 
-std::vector<std::uint8_t> bytes_of(const std::string& text) {
-  return {text.begin(), text.end()};
-}
+std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
 // A small file with everything in it that an index can point at.
 GltfBuilder complete_file() {

@@ -133,9 +133,7 @@ Result<scene::Scene> GltfBuilder::load() const {
   return load_bytes(std::vector<std::uint8_t>(text.begin(), text.end()));
 }
 
-Result<scene::Scene> GltfBuilder::load_glb() const {
-  return load_bytes(to_glb());
-}
+Result<scene::Scene> GltfBuilder::load_glb() const { return load_bytes(to_glb()); }
 
 std::string base64(const std::vector<std::uint8_t>& bytes) {
   static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

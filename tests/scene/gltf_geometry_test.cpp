@@ -39,9 +39,7 @@ std::vector<std::vector<float>> soup(const scene::Mesh& mesh) {
 const std::vector<float> k_hexagon = {0, 0,  0, 2, 0,  0,     1, 1.7f, 0,     -1, 1.7f,
                                       0, -2, 0, 0, -1, -1.7f, 0, 1,    -1.7f, 0};
 
-bool is_near(Vec3f a, Vec3f b, float tolerance = 1e-5f) {
-  return length(a - b) < tolerance;
-}
+bool is_near(Vec3f a, Vec3f b, float tolerance = 1e-5f) { return length(a - b) < tolerance; }
 
 TEST_CASE("text_and_binary_containers_give_the_same_scene") {
   GltfBuilder file;

@@ -14,9 +14,7 @@ namespace {
 using namespace openltc;
 using namespace openltc::test;
 
-bool is_near(Vec3f a, Vec3f b, float tolerance = 1e-5f) {
-  return length(a - b) < tolerance;
-}
+bool is_near(Vec3f a, Vec3f b, float tolerance = 1e-5f) { return length(a - b) < tolerance; }
 
 Result<scene::Scene> load_light(const char* extension, const json& light, const json& node) {
   GltfBuilder file;

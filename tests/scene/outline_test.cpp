@@ -27,8 +27,7 @@ constexpr double k_tolerance = 1e-9;
 const Vec3d k_up(0, 0, 1);
 
 // Unit cells of a w x h grid where `is_filled`, each as two triangles with a diagonal of its own.
-template <class Filled>
-Soup grid(int w, int h, std::mt19937& random, const Filled& is_filled) {
+template <class Filled> Soup grid(int w, int h, std::mt19937& random, const Filled& is_filled) {
   Soup soup;
   for (int y = 0; y <= h; ++y)
     for (int x = 0; x <= w; ++x)

@@ -41,9 +41,7 @@ int OPENLTC_PASTE(parity_run_, OPENLTC_ISA)(const float* in, int count, const Lo
   return outputs;
 }
 
-int OPENLTC_PASTE(parity_lanes_, OPENLTC_ISA)() {
-  return lanes::k_lanes;
-}
+int OPENLTC_PASTE(parity_lanes_, OPENLTC_ISA)() { return lanes::k_lanes; }
 
 } // namespace testing
 } // namespace openltc

@@ -46,8 +46,7 @@ struct SphereMap {
   }
 
   /// Midpoint rule of n x n points, crowded towards both ends in s.
-  template <class F>
-  double integrate(F f, int n) const {
+  template <class F> double integrate(F f, int n) const {
     double sum = 0;
     for (int i = 0; i < n; ++i) {
       const double t = (i + 0.5) / n;

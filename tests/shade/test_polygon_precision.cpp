@@ -23,16 +23,10 @@ using testing::TestPolygon;
 
 namespace {
 
-Vec3f to_float(Vec3d v) {
-  return Vec3f(float(v.x), float(v.y), float(v.z));
-}
-Vec3d to_double(Vec3f v) {
-  return Vec3d(double(v.x), double(v.y), double(v.z));
-}
+Vec3f to_float(Vec3d v) { return Vec3f(float(v.x), float(v.y), float(v.z)); }
+Vec3d to_double(Vec3f v) { return Vec3d(double(v.x), double(v.y), double(v.z)); }
 
-f32::Frame to_float(const f64::Frame& f) {
-  return {to_float(f.t1), to_float(f.t2), to_float(f.n)};
-}
+f32::Frame to_float(const f64::Frame& f) { return {to_float(f.t1), to_float(f.t2), to_float(f.n)}; }
 f64::Frame to_double(const f32::Frame& f) {
   return {to_double(f.t1), to_double(f.t2), to_double(f.n)};
 }
@@ -43,9 +37,7 @@ f64::Lobe to_double(const f32::Lobe& l) {
   return f64::make_lobe(double(l.m00), double(l.m02), double(l.m20), double(l.m22));
 }
 
-bool in_range(float x) {
-  return x >= 0.0f && x <= 1.0f;
-}
+bool in_range(float x) { return x >= 0.0f && x <= 1.0f; }
 
 } // namespace
 
@@ -107,9 +99,7 @@ static bool sums_are_finite(const PolygonView& polygon, Vec3f position, const f3
   return true;
 }
 
-static bool is_unit(Vec3f v) {
-  return std::abs(length(v) - 1) < 1e-5f;
-}
+static bool is_unit(Vec3f v) { return std::abs(length(v) - 1) < 1e-5f; }
 
 TEST_CASE("degenerate outlines and positions give finite values in range") {
   Random random(12);

@@ -47,9 +47,7 @@ std::string refusal(const std::string& text) {
   return read ? std::string() : read.error().message;
 }
 
-bool has(const std::string& text, const char* part) {
-  return text.find(part) != std::string::npos;
-}
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 } // namespace
 
