@@ -13,19 +13,20 @@
 
 #define OPENLTC_PASTE_(a, b) a##b
 #define OPENLTC_PASTE(a, b) OPENLTC_PASTE_(a, b)
+#define OPENLTC_LANES_NAMESPACE OPENLTC_PASTE(lanes_, OPENLTC_ISA)
 
 namespace openltc {
-namespace OPENLTC_PASTE(lanes_, OPENLTC_ISA) {
+namespace OPENLTC_LANES_NAMESPACE {
 
 #include "openltc/target/lanes.inc"
 #include "openltc/target/shade_all.inc"
 #include "parity_body.inc"
 
-} // namespace )
+} // namespace OPENLTC_LANES_NAMESPACE
 
 namespace testing {
 
-namespace lanes = OPENLTC_PASTE(lanes_, OPENLTC_ISA);
+namespace lanes = OPENLTC_LANES_NAMESPACE;
 
 int OPENLTC_PASTE(parity_run_, OPENLTC_ISA)(const float* in, int count, const LobeTableView* table,
                                             const PolygonView* polygon, float* out) {
