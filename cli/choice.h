@@ -16,12 +16,19 @@ namespace openltc::cli {
 /// The words of an option and the enumerator that each stands for, in the order of the help.
 template <class Enum> using Choices = std::vector<std::pair<std::string, Enum>>;
 
+/// The words of choices, as the help shows them: "ltc|reference".
+template <class Enum> std::string words_of(const Choices<Enum>& choices) {
+  std::string words;
+  for (const auto& [word, value] : choices)
+    words += (words.empty() ? "" : "|") + word;
+  return words;
+}
+
 /// For Option::transform: turns a word into the number that CLI11 reads an enumeration from. Only
 /// the words are taken, not the numbers, which CLI::CheckedTransformer would take as well.
 template <class Enum> CLI::Validator one_of(const Choices<Enum>& choices) {
-  std::string words, listed;
+  std::string listed;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    words += (i > 0 ? "|" : "") + choices[i].first;
     listed += (i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ") + choices[i].first;
   }
   return CLI::Validator(
@@ -33,7 +40,7 @@ template <class Enum> CLI::Validator one_of(const Choices<Enum>& choices) {
           }
         return "must be " + listed + ", not '" + text + "'";
       },
-      words);
+      "");
 }
 
 } // namespace openltc::cli

@@ -312,29 +312,33 @@ void add_render(CLI::App& app, int& exit_code) {
       "  openltc render room.glb --integrator reference --samples 1024 -o truth.exr\n"
       "  openltc compare room.exr truth.exr");
   RenderArguments& a = *arguments;
-  command->add_option("scene", a.scene, "The scene, .gltf or .glb")->required();
+  command->add_option("scene", a.scene, "The scene, .gltf or .glb")->required()->type_name("FILE");
   command
       ->add_option("-o,--output", a.outputs,
                    "File to write, may be repeated; .exr and .hdr hold scene-linear radiance in "
                    "nits, .png an exposed, tone-mapped picture [SCENE.png in this folder]")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->type_name("FILE");
   const Choices<render::Integrator> integrators = {{"ltc", render::Integrator::ltc},
                                                    {"reference", render::Integrator::reference}};
   command
       ->add_option("--integrator", a.integrator,
                    "ltc: closed form times sampled shadows; reference: unbiased sampling with "
                    "the true BRDF, and a layer \"stderr\" with its standard error [ltc]")
-      ->transform(one_of(integrators));
+      ->transform(one_of(integrators))
+      ->type_name(words_of(integrators));
   command
       ->add_option("--samples", a.samples,
                    "Camera samples per pixel [8; reference 256, each with one light sample]")
-      ->check(CLI::Range(1, 1 << 20));
+      ->check(CLI::Range(1, 1 << 20).description(""))
+      ->type_name("N");
   command
       ->add_option(
           "--shadow-samples", a.shadow_samples,
           "Shadow rays per pixel and area light, at least one for each camera sample; 0 turns "
           "all shadows off")
-      ->check(CLI::Range(0, 4096))
+      ->check(CLI::Range(0, 4096).description(""))
+      ->type_name("N")
       ->capture_default_str();
   const Choices<render::PixelFilter> filters = {
       {"blackman-harris", render::PixelFilter::blackman_harris},
@@ -343,14 +347,16 @@ void add_render(CLI::App& app, int& exit_code) {
       ->add_option("--filter", a.filter,
                    "Reconstruction filter; none: all rays through the middle of the pixel, to "
                    "compare light without edges [blackman-harris]")
-      ->transform(one_of(filters));
+      ->transform(one_of(filters))
+      ->type_name(words_of(filters));
   const Choices<render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
                                                {"ltc", render::PunctualForm::ltc}};
   command
       ->add_option("--point-lights", a.point_lights,
                    "Point, spot and directional lights by the exact BRDF or by the density of "
                    "its LTC lobe [exact]")
-      ->transform(one_of(forms));
+      ->transform(one_of(forms))
+      ->type_name(words_of(forms));
   const Choices<LightChoice> choices = {{"auto", LightChoice::automatic},
                                         {"scene", LightChoice::scene},
                                         {"studio", LightChoice::studio},
@@ -359,38 +365,51 @@ void add_render(CLI::App& app, int& exit_code) {
       ->add_option("--lights", a.lights,
                    "Which lights: those of the scene, a studio rig of three soft boxes, or both "
                    "[scene; studio where it has none]")
-      ->transform(one_of(choices));
-  command->add_option(
-      "--camera", a.camera,
-      "Camera by name or number from 0; \"frame\" shows the whole scene [the first]");
-  command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]");
-  command->add_option("--background", a.background,
-                      "Radiance where nothing is hit, in nits: one number or R,G,B [0; with the "
-                      "studio rig alone 0.07, a dark grey]");
+      ->transform(one_of(choices))
+      ->type_name(words_of(choices));
+  command
+      ->add_option("--camera", a.camera,
+                   "Camera by name or number from 0; \"frame\" shows the whole scene [the first]")
+      ->type_name("NAME|N|frame");
+  command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]")
+      ->type_name("WxH");
+  command
+      ->add_option("--background", a.background,
+                   "Radiance where nothing is hit, in nits: one number or R,G,B [0; with the "
+                   "studio rig alone 0.07, a dark grey]")
+      ->type_name("NITS");
   command
       ->add_option("--exposure", a.exposure,
                    "EV100 or \"auto\", from the picture or for the studio rig; for .png only")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->type_name("EV100|auto");
   const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
                                             {"aces", image::Tonemap::aces},
                                             {"none", image::Tonemap::none}};
   command
       ->add_option("--tonemap", a.display.tonemap,
                    "For .png: Khronos PBR Neutral, ACES, or none [neutral]")
-      ->transform(one_of(tonemaps));
+      ->transform(one_of(tonemaps))
+      ->type_name(words_of(tonemaps));
   command->add_flag("--half", a.half, "Write .exr in half precision, which ends at 65504 nits");
-  command->add_option("--table", a.table,
-                      "Lobe table from openltc fit (.json), for the LTC integrator [built-in GGX]");
-  command->add_option("--seed", a.seed, "Seed of the sampling")->capture_default_str();
+  command
+      ->add_option("--table", a.table,
+                   "Lobe table from openltc fit (.json), for the LTC integrator [built-in GGX]")
+      ->type_name("FILE");
+  command->add_option("--seed", a.seed, "Seed of the sampling")
+      ->capture_default_str()
+      ->type_name("N");
   command
       ->add_option("--threads", a.threads,
                    "Threads, 0 for all cores; the picture is the same for any number")
-      ->check(CLI::Range(0, 4096))
+      ->check(CLI::Range(0, 4096).description(""))
+      ->type_name("N")
       ->capture_default_str();
   command
       ->add_option("--kernel", a.kernel,
                    "Shading kernel, to compare: auto, scalar, sse4, avx2, avx512, neon")
-      ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
+      ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}).description(""))
+      ->type_name("NAME")
       ->capture_default_str();
   command->add_flag("--json", a.json, "Print what was done and the times as JSON on stdout");
   command->add_flag("--quiet", a.quiet, "No progress, warnings and messages on stderr");
