@@ -203,3 +203,42 @@ TEST_CASE("json_says_what_was_done_and_how_long_it_took") {
     CHECK(double(values[time]) < run.seconds);
   }
 }
+
+TEST_CASE("no_file_is_meant_twice") {
+  const TemporaryFolder folder;
+  const std::string exr = folder.file("x.exr");
+  CHECK(fails_naming(run_tool(quick({"-o", exr, "-o", exr})), "written twice"));
+  // The reference's standard error goes to NAME_stderr.hdr.
+  CHECK(fails_naming(run_tool(quick({"--integrator", "reference", "-o", folder.file("m.hdr"), "-o",
+                                     folder.file("m_stderr.hdr")})),
+                     "m_stderr.hdr"));
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("one_sample_has_no_standard_error_and_none_is_written") {
+  const TemporaryFolder folder;
+  const std::string exr = folder.file("x.exr");
+  const Run run = run_tool({"render", demo_scene(), "--size", "64x36", "--integrator", "reference",
+                            "--samples", "1", "-o", exr});
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.err, "no standard error"));
+  CHECK(!image::read_layer(exr, "stderr").ok());
+}
+
+TEST_CASE("half_precision_says_when_it_cuts_values") {
+  const TemporaryFolder folder;
+  write_scene(folder.file("bright.glb"), lit_floor(1e6));
+  const std::vector<std::string> render = {
+      "render", folder.file("bright.glb"), "--size", "64x36", "--samples", "1", "--half",
+      "-o",     folder.file("x.exr")};
+  const Run run = run_tool(render);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.err, "65504"));
+}
+
+TEST_CASE("the_reference_takes_no_table") {
+  const TemporaryFolder folder;
+  CHECK(refuses_usage(run_tool(quick({"--integrator", "reference", "--table", "any.json", "-o",
+                                      folder.file("x.exr")})),
+                      "--table"));
+}
