@@ -41,8 +41,9 @@ struct RenderOptions {
 
 struct Picture {
   image::Image radiance; ///< scene-linear, in the scene's units (nits)
-  /// Standard error of each pixel's mean, per channel, from the variance of its camera samples. The
-  /// samples are stratified, so this is an upper estimate. Means nothing where samples = 1.
+  /// Reference: standard error of each pixel's mean, per channel, from the variance of its camera
+  /// samples; these are stratified, so it is an upper estimate. Means nothing for one sample, and
+  /// for the LTC integrator, whose shadow ratio is no mean.
   image::Image standard_error;
   double build_seconds = 0; ///< acceleration structure, textures
   double render_seconds = 0;
