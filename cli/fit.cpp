@@ -64,7 +64,7 @@ std::string json_row(const fit::LobeError& e) {
 }
 
 std::string report_json(const std::string& command, const std::vector<fit::TableError>& errors,
-                        double seconds) {
+                        double second_difference, double seconds) {
   std::string text = fmt::format("{{\n\"command\": \"{}\",\n\"seconds\": {:.3f},\n\"regions\": [\n",
                                  command, seconds);
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -75,8 +75,7 @@ std::string report_json(const std::string& command, const std::vector<fit::Table
                         json_row(e.mean), json_row(e.p95), json_row(e.max),
                         i + 1 < errors.size() ? "," : "");
   }
-  return text + fmt::format("],\n\"second_difference\": {}\n}}\n",
-                            errors.empty() ? 0.0 : errors[0].second_difference);
+  return text + fmt::format("],\n\"second_difference\": {}\n}}\n", second_difference);
 }
 
 int fail(const Error& error) {
@@ -116,14 +115,17 @@ int run_fit(const FitArguments& arguments) {
   std::vector<fit::TableError> errors;
   std::string text;
   for (const Region& region : regions()) {
-    errors.push_back(fit::measure_table(*brdf, table, region.options));
+    Result<fit::TableError> error = fit::measure_lobes(*brdf, fit::lobes_of(table), region.options);
+    if (!error) return fail(error.error());
+    errors.push_back(*error);
     text += error_text(region, errors.back());
   }
   fit::describe_table(table, errors[0], OPENLTC_VERSION);
   if (!arguments.quiet)
     fmt::print(stderr, "fitted {} {}x{} in {:.1f} s\n", brdf->name, options.size, options.size,
                seconds);
-  fmt::print("{}mean second difference of A B C D: {:.2e}\n", text, errors[0].second_difference);
+  fmt::print("{}mean second difference of A B C D: {:.2e}\n", text,
+             fit::mean_second_difference(table));
 
   for (const std::string& path : arguments.outputs) {
     const Status status = table::write_table(table, path);
@@ -131,7 +133,8 @@ int run_fit(const FitArguments& arguments) {
     if (!arguments.quiet) fmt::print(stderr, "wrote {}\n", path);
   }
   if (!arguments.report.empty()) {
-    const std::string json = report_json(table.metadata.command, errors, seconds);
+    const std::string json =
+        report_json(table.metadata.command, errors, fit::mean_second_difference(table), seconds);
     const Status status =
         write_atomically(arguments.report, [&](const std::string& temporary) -> Status {
           std::ofstream file(temporary, std::ios::binary);

@@ -17,14 +17,14 @@ Result<Description> inspect_table(const std::string& path) {
   const table::TableMetadata& m = t.metadata;
   Description out;
   out.text =
-      fmt::format("lobe table, {} x {} nodes over roughness and view angle\n", t.size, t.size);
+      fmt::format("lobe table, {} x {} nodes over roughness and view angle\n", t.columns, t.rows);
   out.text += fmt::format("brdf       {} ({})\n", m.brdf, m.variant);
   out.text += fmt::format("objective  {}\n", m.objective);
   out.text += fmt::format("made by    {} (OpenLTC {})\n", m.command, m.tool_version);
   out.text +=
       fmt::format("mean TV    {}   max {}   roughness .06-1, interpolated\n", m.mean_tv, m.max_tv);
   out.json = {{"file", path},         {"kind", "table"},
-              {"size", t.size},       {"brdf", m.brdf},
+              {"size", t.columns},    {"brdf", m.brdf},
               {"variant", m.variant}, {"objective", m.objective},
               {"command", m.command}, {"tool_version", m.tool_version},
               {"mean_tv", m.mean_tv}, {"max_tv", m.max_tv}};

@@ -10,6 +10,8 @@
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f64.h"
 
+#include <functional>
+
 namespace openltc::fit {
 
 /// Distances between a lobe D and rho/E at one view angle and roughness, both of integral 1.
@@ -27,13 +29,23 @@ struct LobeError {
 /// Error of one lobe against a quadrature of its BRDF.
 LobeError measure_lobe(const Quadrature& quadrature, const f64::Lobe& lobe);
 
+/// Lobe and amplitudes for a roughness 0..1 and the cosine of the view angle, as shading reads
+/// them: a table with its interpolation, a polynomial, a file of another layout. Called from any
+/// thread.
+using LobeFunction = std::function<f64::FittedLobe(double roughness, double cos_theta)>;
+
+/// The look-up of a native table, which must outlive the function.
+LobeFunction lobes_of(const table::LobeTable& table);
+
 /// Mean, 95th percentile and maximum of each over a region.
 struct TableError {
   LobeError mean, p95, max;
   double roughness_from = 0, roughness_to = 1, theta_to_degrees = 90;
-  int points = 0;               ///< per axis
-  double second_difference = 0; ///< mean |second difference| of A B C D over the whole table
+  int points = 0; ///< per axis
 };
+
+/// Mean |second difference| of A B C D over the whole table, along both axes.
+double mean_second_difference(const table::LobeTable& table);
 
 /// The region over which a table is measured.
 struct MeasureOptions {
@@ -41,11 +53,12 @@ struct MeasureOptions {
   double roughness_to = 1.0;
   double theta_to_degrees = 89.7;
   int points = 40; ///< per axis, uniform in roughness and theta, at the midpoints of cells
-  int grid = 48;   ///< quadrature, 2 grid^2 points
+  QuadratureSize quadrature{40, 32};
 };
 
-/// Measures a table against its BRDF. Does not depend on the number of threads.
-TableError measure_table(const brdf::Brdf& brdf, const table::LobeTable& table,
-                         const MeasureOptions& options);
+/// Measures lobes against their BRDF. Does not depend on the number of threads. Fails when the BRDF
+/// does (make_quadrature).
+Result<TableError> measure_lobes(const brdf::Brdf& brdf, const LobeFunction& lobes,
+                                 const MeasureOptions& options);
 
 } // namespace openltc::fit

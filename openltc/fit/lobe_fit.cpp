@@ -80,14 +80,14 @@ Evaluation evaluate(const Quadrature& q, Vec4d abcd, double l2_scale, double rou
   Evaluation e;
   // The cosine's hemisphere must not be turned inside out. A and D by themselves may reach 0: at
   // grazing angles -B C carries the determinant.
-  if (!(determinant(abcd, q.alpha) > 0)) return e;
+  if (!(determinant(abcd, q.width) > 0)) return e;
 
   double sum = 0;
   double h[10] = {}, g[4] = {};
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const LobeDensity d = lobe_density(abcd, q.alpha, Vec3d(q.x_mirror[i], q.y[i], q.z_mirror[i]));
+    const LobeDensity d = lobe_density(abcd, q.width, Vec3d(q.x_mirror[i], q.y[i], q.z_mirror[i]));
     const double r = d.value - q.density[i];
-    const double soft = rounding * q.scale[i];
+    const double soft = rounding * std::max(q.density[i], 1e-3 * f64::k_inv_pi);
     const double root = std::sqrt(r * r + soft * soft);
     sum += q.weight[i] * (0.5 * (root - soft) + l2_scale * r * r);
     if constexpr (with_derivatives) {
@@ -102,7 +102,7 @@ Evaluation evaluate(const Quadrature& q, Vec4d abcd, double l2_scale, double rou
     }
   }
 
-  const LeakAngle leak = leak_angle(abcd, q.alpha, q.cos_theta);
+  const LeakAngle leak = leak_angle(abcd, q.width, q.cos_theta);
   sum += 0.5 * leak.half_sine * leak.half_sine;
   e.objective = sum;
   if constexpr (with_derivatives) {

@@ -1,65 +1,187 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Source of the combination: Veach, Guibas 1995, "Optimally Combining Sampling Techniques for Monte
-// Carlo Rendering", equation 9 (balance heuristic); here with fixed grids instead of random points:
-//   integral of f = sum over techniques t and points i of c_i f(w_ti) / sum over s of p_s(w_ti),
-// c_i being the area that point i stands for in the unit square. In the direction that decides how
-// far out of the lobe a point lies, u.y, points crowd towards both ends: u = t^3 (10 - 15 t + 6
-// t^2) at the midpoints t of equal cells. The lobe's tail and its cut at the horizon are resolved
-// so; the derivative vanishes at both ends, which makes the midpoint rule converge fast.
+// The rule works in slopes of the half vector, h ~ (r cos phi, r sin phi, 1), because there a
+// reflection lobe is round however grazing the view, and because the horizon has a closed form:
+// wi = reflect(wo, h) has
+//   wi.z = 2 (cos + r sin cos phi)/(1 + r^2) - cos,      (cos, sin: of the view angle theta)
+// which vanishes at r = t cos phi + sqrt(t^2 cos^2 phi + 1), t = tan theta, and nowhere else. With
+//   t cos phi = sinh(k c),  k = asinh t,  c = cos chi,   that is   r_max = exp(k c),
+// a rule uniform in chi resolves the step of r_max at phi = 90 degrees, is even and periodic in
+// chi, and so converges like a trapezoidal rule on a smooth periodic function. Along r a
+// Gauss-Legendre rule in v, r = s sinh v, gives the lobe's core, of scale s, and every decade from
+// there to r_max their share of points. Both converge exponentially.
+//
+// Solid angle: d wi = 4 (wo.h) d h,  d h = r dr dphi / (1 + r^2)^(3/2)   (Walter et al. 2007,
+// equation 14).
 
 #include "openltc/fit/quadrature.h"
 
 #include "openltc/target/shade_f64.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <utility>
 
 namespace openltc::fit {
 
 namespace {
 
-// The fitted lobe is wider than the BRDF in places; points three times as wide in alpha find them.
-constexpr double k_widening = 1.7320508075688772; // in roughness
+struct GaussRule {
+  std::vector<double> node, weight; // on [0, 1]
+};
+
+// Gauss-Legendre nodes by Newton's method on P_n from Tricomi's estimate.
+GaussRule make_gauss(int n) {
+  GaussRule rule;
+  rule.node.resize(std::size_t(n));
+  rule.weight.resize(std::size_t(n));
+  for (int i = 0; i < n; ++i) {
+    double x = std::cos(f64::k_pi * (i + 0.75) / (n + 0.5)), slope = 1;
+    for (int step = 0; step < 100; ++step) {
+      double p0 = 1, p1 = x;
+      for (int k = 2; k <= n; ++k)
+        p0 = std::exchange(p1, ((2 * k - 1) * x * p1 - (k - 1) * p0) / k);
+      slope = n * (x * p1 - p0) / (x * x - 1);
+      const double move = p1 / slope;
+      x -= move;
+      if (std::abs(move) < 1e-15) break;
+    }
+    rule.node[std::size_t(i)] = 0.5 * (1 - x);
+    rule.weight[std::size_t(i)] = 1 / ((1 - x * x) * slope * slope);
+  }
+  return rule;
+}
+
+const GaussRule& gauss(int n) {
+  static std::mutex mutex;
+  static std::map<int, GaussRule> rules;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto found = rules.find(n);
+  return found != rules.end() ? found->second : rules.emplace(n, make_gauss(n)).first->second;
+}
+
+// One azimuth of the rule: direction, reach and d phi.
+struct Azimuth {
+  double cosine, sine, r_max, weight;
+};
+
+Azimuth azimuth(double chi, double t, double d_chi) {
+  const double c = std::cos(chi), s = std::sin(chi);
+  const double k = std::asinh(t);
+  if (k < 1e-6) return {c, s, std::exp(k * c), d_chi};
+  const double half_s = std::sin(0.5 * chi), half_c = std::cos(0.5 * chi);
+  // sinh^2 k - sinh^2 kc = sinh(k (1 + c)) sinh(k (1 - c)): no cancellation at either end.
+  const double sine =
+      std::sqrt(std::sinh(2 * k * half_c * half_c) * std::sinh(2 * k * half_s * half_s)) / t;
+  return {std::sinh(k * c) / t, sine, std::exp(k * c),
+          d_chi * k * std::cosh(k * c) * s / (t * sine)};
+}
+
+std::string direction_text(Vec3d v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
+}
 
 } // namespace
 
-Quadrature make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta, int grid) {
+double half_vector_scale(const brdf::Brdf& brdf, double roughness) {
+  // At normal incidence the lobe is round: d wi = 4 (wo.h) d h leaves one integral over r in (0,
+  // 1), here on a scale of log r.
+  constexpr int n = 192;
+  constexpr double k_smallest = 1e-6;
+  const double step = -std::log(k_smallest) / n;
+  double energy[n], sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const double r = k_smallest * std::exp((i + 0.5) * step);
+    const double inv = 1 / (1 + r * r);
+    const Vec3d wi(2 * r * inv, 0, (1 - r * r) * inv);
+    const double value = brdf.eval(Vec3d(0, 0, 1), wi, roughness).scale;
+    energy[i] = value > 0 && std::isfinite(value) ? value * r * r * inv * inv : 0;
+    sum += energy[i];
+  }
+  if (!(sum > 0)) return 0;
+  double passed = 0;
+  for (int i = 0; i < n; ++i) {
+    passed += energy[i];
+    if (passed >= 0.5 * sum) return k_smallest * std::exp((i + 0.5) * step);
+  }
+  return 1;
+}
+
+Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
+                                   double scale, QuadratureSize size) {
   Quadrature q;
   q.cos_theta = cos_theta;
-  q.alpha = f64::alpha_from_roughness(roughness);
+  q.roughness = roughness;
+  q.width = brdf.width == brdf::LobeWidth::alpha ? f64::alpha_from_roughness(roughness) : 1.0;
   const double sin_theta = std::sqrt(std::max(0.0, 1 - cos_theta * cos_theta));
+  const double t = sin_theta / cos_theta;
+  const double s = scale > 0 ? scale : 1;
   const Vec3d wo(sin_theta, 0, cos_theta);
-  const double narrow = f64::roughness_from_alpha(q.alpha);
-  const double wide = k_widening * narrow;
+  const GaussRule& rule = gauss(size.radial);
 
-  for (const double drawn : {narrow, wide}) {
-    for (int j = 0; j < grid; ++j) {
-      const double t = (j + 0.5) / grid;
-      const double v = t * t * t * (10 + t * (-15 + 6 * t));
-      const double area = 30 * t * t * (1 - t) * (1 - t) / (double(grid) * grid);
-      for (int i = 0; i < grid; ++i) {
-        const Vec3d wi = brdf.sample(wo, drawn, Vec2d((i + 0.5) / (2.0 * grid), v));
-        if (!(wi.z > 0)) continue;
-        const double sum = brdf.pdf(wo, wi, narrow) + brdf.pdf(wo, wi, wide);
-        if (!(sum > 0)) continue;
-        const brdf::BrdfValue value = brdf.eval(wo, wi, narrow);
-        const double weight = area / sum;
-        q.x_mirror.push_back(cos_theta * wi.x + sin_theta * wi.z);
-        q.y.push_back(wi.y);
-        q.z_mirror.push_back(cos_theta * wi.z - sin_theta * wi.x);
-        q.weight.push_back(weight);
-        q.density.push_back(value.scale);
-        q.scale.push_back(0.5 * sum);
-        q.n1 += weight * value.scale;
-        q.n5 += weight * value.bias;
-      }
+  const std::size_t count = std::size_t(size.radial) * size.azimuths;
+  const std::size_t padded =
+      (count + Quadrature::k_block - 1) / Quadrature::k_block * Quadrature::k_block;
+  // Padding: the mirror direction, where every lobe is finite and positive.
+  q.x_mirror.assign(padded, 0.0);
+  q.y.assign(padded, 0.0);
+  q.z_mirror.assign(padded, 1.0);
+  q.weight.assign(padded, 0.0);
+  q.density.assign(padded, 0.0);
+
+  std::size_t at = 0;
+  for (int j = 0; j < size.azimuths; ++j) {
+    const double d_chi = f64::k_pi / size.azimuths;
+    const Azimuth a = azimuth((j + 0.5) * d_chi, t, d_chi);
+    const double v_max = std::asinh(a.r_max / s);
+    for (int i = 0; i < size.radial; ++i, ++at) {
+      const double growth = std::exp(v_max * rule.node[std::size_t(i)]);
+      const double r = 0.5 * s * (growth - 1 / growth);
+      const double inv = 1 / (1 + r * r);
+      // wi = 2 (wo.h) h - wo with h = (r cos phi, r sin phi, 1) sqrt(inv)
+      const double o_dot = cos_theta + r * sin_theta * a.cosine; // wo.h / sqrt(inv)
+      const double twice = 2 * o_dot * inv;
+      const Vec3d wi(twice * r * a.cosine - sin_theta, twice * r * a.sine, twice - cos_theta);
+      if (!(wi.z > 0)) continue; // the last bit of r_max
+      const double dr = 0.5 * s * (growth + 1 / growth) * v_max * rule.weight[std::size_t(i)];
+      // Both halves of the domain: 2 * 4 (wo.h) r dr dphi / (1 + r^2)^(3/2).
+      const double weight = 8 * o_dot * r * dr * a.weight * inv * inv;
+      const brdf::BrdfValue value = brdf.eval(wo, wi, roughness);
+      if (!(value.scale >= 0 && std::isfinite(value.scale) && std::isfinite(value.bias)))
+        return Error{fmt::format("brdf {}: its value is {} (Fresnel part {}) for wo {}, wi {}, "
+                                 "roughness {:.6g}; it must "
+                                 "be finite and not negative",
+                                 brdf.name, value.scale, value.bias, direction_text(wo),
+                                 direction_text(wi), roughness)};
+      q.x_mirror[at] = cos_theta * wi.x + sin_theta * wi.z;
+      q.y[at] = wi.y;
+      q.z_mirror[at] = cos_theta * wi.z - sin_theta * wi.x;
+      q.weight[at] = weight;
+      q.density[at] = value.scale;
+      q.n1 += weight * value.scale;
+      q.n5 += weight * value.bias;
     }
   }
-  for (double& d : q.density)
-    d /= q.n1;
+  if (!(q.n1 > 1e-12 && std::isfinite(q.n1)))
+    return Error{fmt::format("brdf {}: it reflects nothing for wo {}, roughness {:.6g} (albedo {})",
+                             brdf.name, direction_text(wo), roughness, q.n1)};
+  for (std::size_t i = 0; i < padded; ++i) {
+    q.density[i] /= q.n1;
+    const double square = q.weight[i] * q.density[i] * q.density[i];
+    q.norm2 += square;
+    q.norm3 += square * q.density[i];
+  }
   return q;
+}
+
+Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
+                                   QuadratureSize size) {
+  return make_quadrature(brdf, roughness, cos_theta, half_vector_scale(brdf, roughness), size);
 }
 
 } // namespace openltc::fit

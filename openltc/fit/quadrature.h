@@ -1,40 +1,61 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// A fixed, deterministic quadrature rule for one view direction and roughness.
+// A fixed, deterministic quadrature rule for one view direction and roughness of any BRDF.
 
 #pragma once
 
+#include "openltc/base/result.h"
 #include "openltc/brdf/brdf.h"
 
 #include <vector>
 
 namespace openltc::fit {
 
+/// Number of points of a rule: radial Gauss nodes times azimuths.
+struct QuadratureSize {
+  int radial = 20;
+  int azimuths = 20;
+};
+
 /// Directions of the upper hemisphere with their weights, one array per quantity.
 ///
 /// The BRDF is symmetric about the plane of incidence: all directions have y > 0 and weights count
 /// both halves, so the sum of weight[i] f(i) approximates the integral of f over the hemisphere.
+/// Arrays are padded to a multiple of k_block with points of weight 0.
 struct Quadrature {
-  double cos_theta = 1;         ///< of the view direction
-  double alpha = 1;             ///< microfacet width, >= k_min_alpha
-  double n1 = 0;                ///< integral of D V cos_i, by this rule
-  double n5 = 0;                ///< integral of D V cos_i (1 - wo.h)^5
+  static constexpr int k_block = 8;
+
+  double cos_theta = 1; ///< of the view direction
+  double roughness = 1;
+  double width = 1;             ///< factored out of M^-1: alpha >= k_min_alpha, or 1 (LobeWidth)
+  double n1 = 0;                ///< integral of f cos_i for F = 1, by this rule
+  double n5 = 0;                ///< integral of f cos_i (1 - wo.h)^5
+  double norm2 = 0;             ///< integral of density^2
+  double norm3 = 0;             ///< integral of density^3
   std::vector<double> x_mirror; ///< the direction in the mirror frame (shade/lobe.glsl)
   std::vector<double> y;
   std::vector<double> z_mirror;
-  std::vector<double> weight;  ///< steradians, > 0
-  std::vector<double> density; ///< D V cos_i / n1: the lobe to fit, integral 1, 1/steradian
-  std::vector<double> scale;   ///< of the mixture that drew the points, 1/steradian, integral <= 1
+  std::vector<double> weight;  ///< steradians
+  std::vector<double> density; ///< f cos_i / n1: the lobe to fit, integral 1, 1/steradian
 
-  std::size_t size() const { return weight.size(); }
+  std::size_t size() const { return weight.size(); } ///< a multiple of k_block
 };
 
-/// Rule of two techniques, each grid x grid points: the BRDF's own sampling at `roughness` and at a
-/// widened one, combined with the balance heuristic. 0 < cos_theta <= 1, grid even.
+/// The scale of half vectors, as slope tan(theta_h), that the rule's points crowd around: the
+/// median slope of the BRDF's reflection at normal incidence; alpha/sqrt(3)..alpha for GGX.
+/// 0 when the BRDF reflects nothing there.
+double half_vector_scale(const brdf::Brdf& brdf, double roughness);
+
+/// Rule for 0 < cos_theta <= 1. `scale` as half_vector_scale gives it.
 ///
-/// Error of n1 and n5 against a rule of 512 x 512 for roughness 0..1 and theta to 89.9 degrees: see
-/// tests/fit/test_quadrature.cpp, which states and checks it.
-Quadrature make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta, int grid);
+/// Fails, with one line that names the directions, when the BRDF is NaN, infinite or negative
+/// somewhere, or reflects nothing. Error of n1 and n5: tests/fit/test_quadrature.cpp states it.
+Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
+                                   double scale, QuadratureSize size);
+
+/// The same with the scale found first.
+Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
+                                   QuadratureSize size);
 
 } // namespace openltc::fit

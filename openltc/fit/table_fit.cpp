@@ -38,9 +38,9 @@ void fit_row(const brdf::Brdf& brdf, const TableFitOptions& options, int row,
   Vec4d start = cosine_start(1.0, cos_theta);
   for (int column = last; column >= 0; --column) {
     const double roughness = double(column) / last;
-    const Quadrature rule = make_quadrature(brdf, roughness, cos_theta, options.grid);
+    const Quadrature rule = make_quadrature(brdf, roughness, cos_theta, options.quadrature).value();
     const Quadrature fine =
-        make_quadrature(brdf, roughness, amplitude_cosine, options.amplitude_grid);
+        make_quadrature(brdf, roughness, amplitude_cosine, options.quadrature).value();
     const LobeFit fit = fit_lobe(rule, start, options.lobe);
     start = fit.mirror;
     const double channels[table::LobeTable::k_channels] = {
@@ -69,11 +69,10 @@ Result<table::LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions
                                    const std::function<void(double)>& progress) {
   if (options.size < 2 || options.size > 512)
     return Error{fmt::format("table size {}: choose 2 to 512 nodes per axis", options.size)};
-  if (options.grid < 2 || options.grid % 2 != 0 || options.amplitude_grid < 2)
-    return Error{fmt::format("quadrature grid {}: choose an even number from 2", options.grid)};
 
   table::LobeTable result;
-  result.size = options.size;
+  result.columns = result.rows = options.size;
+  result.width = brdf.width;
   result.texels.assign(std::size_t(options.size) * options.size * table::LobeTable::k_channels, 0);
 
   std::mutex mutex;
@@ -112,7 +111,7 @@ void describe_table(table::LobeTable& table, const TableError& error, const char
   table.metadata.max_tv = four_digits(error.max.tv);
   table.metadata.tool_version = tool_version;
   table.metadata.command =
-      fmt::format("openltc fit --brdf {} --size {}", table.metadata.brdf, table.size);
+      fmt::format("openltc fit --brdf {} --size {}", table.metadata.brdf, table.rows);
 }
 
 } // namespace openltc::fit

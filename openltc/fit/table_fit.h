@@ -17,9 +17,8 @@ namespace openltc::fit {
 
 /// How a table is fitted.
 struct TableFitOptions {
-  int size = 64;           ///< nodes per axis, 2..512
-  int grid = 28;           ///< quadrature of the fit: 2 grid^2 points per node, even
-  int amplitude_grid = 64; ///< quadrature of n1 and n5
+  int size = 64; ///< nodes per axis, 2..512
+  QuadratureSize quadrature{20, 20};
   LobeFitOptions lobe;
 };
 

@@ -3,7 +3,7 @@
 //
 // Look-up of a fitted lobe and of the amplitudes that belong to it.
 //
-// Axes of the native table, N x N nodes, node (0,0) at roughness 0 and normal incidence:
+// Axes of the native table, node (0,0) at roughness 0 and normal incidence:
 //   x = sqrt(alpha) = roughness,   y = sqrt(1 - cos theta).
 // Texel i of N lies at i/(N-1), so a texture is sampled at x (N-1)/N + 1/(2N): the half-texel rule.
 //
@@ -11,7 +11,7 @@
 //   Vec4 lobe_table_coefficients(LobeTable, uv)  the mirror-frame coefficients A B C D
 //   Vec2 lobe_table_amplitudes(LobeTable, uv)    n1 = integral of D V cos,
 //                                                n5 = integral of D V cos (1 - wo.h)^5
-//   Real lobe_table_size(LobeTable)              N
+//   Vec2 lobe_table_size(LobeTable)              nodes along x and y
 
 struct FittedLobe {
   Lobe lobe;
@@ -25,18 +25,24 @@ FN Real table_coordinate(Real x, Real size) {
   return min(max(x, Real(0.0)), Real(1.0)) * (size - Real(1.0)) * inv_size + Real(0.5) * inv_size;
 }
 
-/// The lobe and amplitudes for a microfacet width and the cosine of the view angle.
-FN FittedLobe fetch_lobe(LobeTable table, Real alpha, Real cos_theta) {
-  Real size = lobe_table_size(table);
+/// The lobe and amplitudes for a microfacet width and the cosine of the view angle. `width` is what
+/// the table factors out of M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+FN FittedLobe fetch_lobe_of_width(LobeTable table, Real alpha, Real width, Real cos_theta) {
+  Vec2 size = lobe_table_size(table);
   Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
-  Vec2 uv = Vec2(table_coordinate(sqrt(alpha), size),
-                 table_coordinate(sqrt(Real(1.0) - c), size));
+  Vec2 uv = Vec2(table_coordinate(sqrt(alpha), size.x),
+                 table_coordinate(sqrt(Real(1.0) - c), size.y));
   Vec2 amplitudes = lobe_table_amplitudes(table, uv);
   FittedLobe fitted;
-  fitted.lobe = lobe_from_mirror(lobe_table_coefficients(table, uv), alpha, c);
+  fitted.lobe = lobe_from_mirror(lobe_table_coefficients(table, uv), width, c);
   fitted.n1 = amplitudes.x;
   fitted.n5 = amplitudes.y;
   return fitted;
+}
+
+/// The same of a microfacet BRDF's table.
+FN FittedLobe fetch_lobe(LobeTable table, Real alpha, Real cos_theta) {
+  return fetch_lobe_of_width(table, alpha, alpha, cos_theta);
 }
 
 /// Amplitude of the specular lobe: F0 n1 + (F90 - F0) n5, the albedo of the whole lobe.

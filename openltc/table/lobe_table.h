@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/brdf/brdf.h"
 #include "openltc/target/resources.h"
 
 #include <string>
@@ -23,23 +24,34 @@ struct TableMetadata {
   double max_tv = 0;
 };
 
+/// What the rows of a table are equidistant in.
+enum class AngleAxis {
+  sqrt_one_minus_cos, ///< y = sqrt(1 - cos theta): the native one, and that of most engines
+  theta               ///< y = theta / (pi/2)
+};
+
 /// Coefficients of the lobe M^-1 and its amplitudes over roughness and view angle, native packing.
 ///
-/// Axes, size nodes each, node i at i/(size-1): x = sqrt(alpha) = perceptual roughness, fast;
-/// y = sqrt(1 - cos theta), slow; node (0, 0) is a mirror at normal incidence.
-/// Each texel holds 8 floats: A B C D n1 n5 0 0. A B C D is M^-1 in the mirror frame with alpha
-/// factored out (shade/lobe.glsl, lobe_from_mirror), middle element 1. n1 is the directional
-/// albedo for F = 1, n5 its Schlick-weighted part (shade/table.glsl). Storage: 32-bit float.
+/// Axes: x = sqrt(alpha) = perceptual roughness, fast, column i at i/(columns-1); y by angle_axis,
+/// slow, row j at j/(rows-1); node (0, 0) is a mirror at normal incidence. A BRDF without
+/// roughness has one column.
+/// Each texel holds 8 floats: A B C D n1 n5 0 0. A B C D is M^-1 in the mirror frame with the
+/// lobe's width factored out (shade/lobe.glsl, lobe_from_mirror), middle element 1; the width is
+/// alpha or 1, by `width`. n1 is the directional albedo for F = 1, n5 its Schlick-weighted part
+/// (shade/table.glsl). Storage: 32-bit float.
 struct LobeTable {
   static constexpr int k_channels = 8;
 
-  int size = 0;
-  std::vector<float> texels; ///< size * size * k_channels
+  int columns = 0;
+  int rows = 0;
+  AngleAxis angle_axis = AngleAxis::sqrt_one_minus_cos;
+  brdf::LobeWidth width = brdf::LobeWidth::alpha;
+  std::vector<float> texels; ///< columns * rows * k_channels
   TableMetadata metadata;
 
-  LobeTableView view() const { return {texels.data(), size}; }
-  float* texel(int x, int y) { return texels.data() + (y * size + x) * k_channels; }
-  const float* texel(int x, int y) const { return texels.data() + (y * size + x) * k_channels; }
+  LobeTableView view() const { return {texels.data(), columns, rows}; }
+  float* texel(int x, int y) { return texels.data() + (y * columns + x) * k_channels; }
+  const float* texel(int x, int y) const { return texels.data() + (y * columns + x) * k_channels; }
 };
 
 /// The table that the product ships: GGX, height-correlated Smith, 64 x 64, fitted by

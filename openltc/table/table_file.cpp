@@ -27,7 +27,7 @@ constexpr int k_max_size = 512;
 // One texel a line: six numbers, each the shortest that reads back as the same float.
 std::string number_rows(const LobeTable& table) {
   std::string rows;
-  const int count = table.size * table.size;
+  const int count = table.columns * table.columns;
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k < k_stored; ++k) {
       const float value = table.texels[std::size_t(i) * LobeTable::k_channels + std::size_t(k)];
@@ -69,7 +69,7 @@ std::string to_json(const LobeTable& table) {
   out += fmt::format("  \"command\": {},\n", quoted(m.command));
   out += fmt::format("  \"tool_version\": {},\n", quoted(m.tool_version));
   out += fmt::format("  \"mean_tv\": {},\n  \"max_tv\": {}\n}},\n", m.mean_tv, m.max_tv);
-  out += fmt::format("\"size\": {},\n", table.size);
+  out += fmt::format("\"size\": {},\n", table.columns);
   out += "\"axes\": [\"x, fast: sqrt(alpha) = roughness, node i at i/(size-1)\", "
          "\"y: sqrt(1 - cos theta), node j at j/(size-1)\"],\n";
   out += "\"packing\": \"mirror frame: M^-1 = [A 0 aB; 0 1 0; aC 0 aD], a = alpha, acting on "
@@ -94,11 +94,11 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
   const auto texels = root.find("texels");
   if (texels == root.end() || !texels->is_array()) return Error{name + ": texels is missing"};
   LobeTable table;
-  table.size = int(size);
-  const std::size_t count = std::size_t(table.size) * table.size;
+  table.columns = table.rows = int(size);
+  const std::size_t count = std::size_t(table.columns) * std::size_t(table.rows);
   if (texels->size() != count * k_stored)
     return Error{fmt::format("{}: texels holds {} numbers, but size {} needs {}", name,
-                             texels->size(), table.size, count * k_stored)};
+                             texels->size(), table.columns, count * k_stored)};
 
   table.texels.assign(count * LobeTable::k_channels, 0.0f);
   for (std::size_t i = 0; i < count; ++i) {
@@ -110,11 +110,11 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
         return Error{fmt::format("{}: texels[{}] is not a finite number", name, i * k_stored + k)};
     }
     // At roughness 0, alpha is at its smallest, B C alpha vanishes; elsewhere alpha = x^2.
-    const double x = double(i % count % table.size) / (table.size - 1);
+    const double x = double(i % count % table.columns) / (table.columns - 1);
     const double alpha = std::max(x * x, 1e-4);
     if (!(double(texel[0]) * double(texel[3]) > alpha * double(texel[1]) * double(texel[2])))
       return Error{fmt::format("{}: the lobe of node ({}, {}) has no positive determinant", name,
-                               i % table.size, i / table.size)};
+                               i % table.columns, i / table.columns)};
   }
 
   const auto metadata = root.find("metadata");
@@ -149,17 +149,17 @@ std::string to_builtin_source(const LobeTable& table) {
   out += "#include \"openltc/table/lobe_table.h\"\n\n";
   out += "namespace openltc::table {\n\nnamespace {\n\n";
   out += "// clang-format off\n";
-  out += fmt::format("const double k_numbers[{}] = {{\n", table.size * table.size * k_stored);
+  out += fmt::format("const double k_numbers[{}] = {{\n", table.columns * table.columns * k_stored);
   out += number_rows(table);
   out += "};\n// clang-format on\n\n";
   out += "LobeTable make_table() {\n  LobeTable table;\n";
-  out += fmt::format("  table.size = {};\n", table.size);
+  out += fmt::format("  table.columns = table.rows = {};\n", table.columns);
   out += fmt::format("  table.texels.assign({}, 0.0f);\n",
-                     table.size * table.size * LobeTable::k_channels);
+                     table.columns * table.columns * LobeTable::k_channels);
   out += fmt::format("  for (int i = 0; i < {}; ++i)\n    for (int k = 0; k < {}; ++k)\n"
                      "      table.texels[i * LobeTable::k_channels + k] = float(k_numbers[i * {} + "
                      "k]);\n",
-                     table.size * table.size, k_stored, k_stored);
+                     table.columns * table.columns, k_stored, k_stored);
   const auto field = [&](const char* name, const std::string& value) {
     out += fmt::format("  table.metadata.{} = {};\n", name, value);
   };

@@ -10,10 +10,11 @@ namespace openltc {
 
 /// View of a lobe table in the native packing.
 struct LobeTableView {
-  /// size * size texels, row-major, y (view angle) slow and x (roughness) fast, of 8 floats each:
-  /// A B C D n1 n5 0 0. 32-byte texels let a lane build load one with a single instruction.
+  /// columns * rows texels, row-major, y (view angle) slow and x (roughness) fast, of 8 floats
+  /// each: A B C D n1 n5 0 0. 32-byte texels let a lane build load one with a single instruction.
   const float* texels = nullptr;
-  int size = 0;
+  int columns = 0;
+  int rows = 0;
 };
 
 /// View of a polygon light's outline.

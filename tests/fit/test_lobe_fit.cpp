@@ -16,14 +16,8 @@ using namespace openltc;
 namespace {
 
 // Lambert's BRDF, whose best lobe is the cosine, whatever the roughness.
-const brdf::Brdf k_lambert = {
-    "lambert", "albedo 1", "Lambert 1760",
-    [](Vec3d, Vec3d wi, double) {
-      return brdf::BrdfValue{f64::eval_lambert(wi), 0};
-    },
-    // u.x is the azimuth in this registry.
-    [](Vec3d, double, Vec2d u) { return f64::sample_lambert(Vec2d(u.y, u.x)); },
-    [](Vec3d, Vec3d wi, double) { return f64::pdf_lambert(wi); }};
+const brdf::Brdf k_lambert =
+    brdf::brdf_from_function("lambert", [](Vec3d, Vec3d, double) { return f64::k_inv_pi; });
 
 double& component(Vec4d& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : k == 2 ? v.z : v.w; }
 
@@ -85,12 +79,12 @@ TEST_CASE("the leak is what the lobe holds below the horizon") {
 
 TEST_CASE("a lobe fitted to Lambert is the cosine") {
   for (const double c : {1.0, 0.8, 0.3, 0.05}) {
-    const fit::Quadrature q = fit::make_quadrature(k_lambert, 0.7, c, 32);
-    Vec4d start = fit::cosine_start(q.alpha, c);
+    const fit::Quadrature q = *fit::make_quadrature(k_lambert, 0.7, c, {32, 32});
+    Vec4d start = fit::cosine_start(q.width, c);
     start.x *= 1.3;
     start.w *= 0.7;
     const fit::LobeFit f = fit::fit_lobe(q, start, {});
-    const f64::Lobe lobe = f64::lobe_from_mirror(f.mirror, q.alpha, c);
+    const f64::Lobe lobe = f64::lobe_from_mirror(f.mirror, q.width, c);
     CAPTURE(c);
     CHECK(f.converged);
     CHECK(lobe.m00 == doctest::Approx(1).epsilon(1e-5));
@@ -105,8 +99,8 @@ TEST_CASE("no single coefficient can be changed for the better") {
   const brdf::Brdf& ggx = *brdf::find_brdf("ggx");
   for (const double roughness : {0.1, 0.4, 0.9}) {
     for (const double c : {0.9, 0.4, 0.05}) {
-      const fit::Quadrature q = fit::make_quadrature(ggx, roughness, c, 32);
-      const fit::LobeFit best = fit::fit_lobe(q, fit::cosine_start(q.alpha, c), {});
+      const fit::Quadrature q = *fit::make_quadrature(ggx, roughness, c, {32, 32});
+      const fit::LobeFit best = fit::fit_lobe(q, fit::cosine_start(q.width, c), {});
       for (int k = 0; k < 4; ++k) {
         for (const double change : {-0.01, 0.01}) {
           Vec4d other = best.mirror;
@@ -123,15 +117,15 @@ TEST_CASE("no single coefficient can be changed for the better") {
 
 TEST_CASE("pure total variation gives the least total variation") {
   const brdf::Brdf& ggx = *brdf::find_brdf("ggx");
-  const fit::Quadrature q = fit::make_quadrature(ggx, 0.5, 0.3, 48);
+  const fit::Quadrature q = *fit::make_quadrature(ggx, 0.5, 0.3, {48, 48});
   fit::LobeFitOptions tv, squares;
   tv.l2_weight = 0;
   tv.rounding = 1e-3;
   squares.l2_weight = 100;
-  const Vec4d start = fit::cosine_start(q.alpha, q.cos_theta);
+  const Vec4d start = fit::cosine_start(q.width, q.cos_theta);
   const auto measure = [&](const fit::LobeFitOptions& o) {
     return fit::measure_lobe(
-        q, f64::lobe_from_mirror(fit::fit_lobe(q, start, o).mirror, q.alpha, q.cos_theta));
+        q, f64::lobe_from_mirror(fit::fit_lobe(q, start, o).mirror, q.width, q.cos_theta));
   };
   CHECK(measure(tv).tv < measure({}).tv);
   CHECK(measure({}).tv < measure(squares).tv);

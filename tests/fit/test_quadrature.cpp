@@ -50,12 +50,12 @@ TEST_CASE("n1 and n5 agree with a product rule over angles") {
   for (const double roughness : {0.4, 0.6, 0.8, 1.0}) {
     for (const double degrees : {0.0, 30.0, 60.0, 80.0}) {
       const fit::Quadrature q =
-          fit::make_quadrature(ggx(), roughness, std::cos(radians(degrees)), 64);
+          *fit::make_quadrature(ggx(), roughness, std::cos(radians(degrees)), {24, 24});
       const brdf::BrdfValue exact = product_rule(roughness, radians(degrees), 1500);
       CAPTURE(roughness);
       CAPTURE(degrees);
-      CHECK(std::abs(q.n1 - exact.scale) < 5e-4);
-      CHECK(std::abs(q.n5 - exact.bias) < 1e-4);
+      CHECK(std::abs(q.n1 - exact.scale) < 2e-5);
+      CHECK(std::abs(q.n5 - exact.bias) < 2e-5);
     }
   }
 }
@@ -66,28 +66,28 @@ TEST_CASE("accuracy of n1 and n5, whole range") {
   for (const double roughness : {0.0, 0.02, 0.1, 0.35, 0.7, 1.0}) {
     for (const double degrees : {0.0, 35.0, 75.0, 88.0, 89.9}) {
       const double c = std::cos(radians(degrees));
-      const fit::Quadrature coarse = fit::make_quadrature(ggx(), roughness, c, 64);
-      const fit::Quadrature fine = fit::make_quadrature(ggx(), roughness, c, 512);
+      const fit::Quadrature coarse = *fit::make_quadrature(ggx(), roughness, c, {20, 20});
+      const fit::Quadrature fine = *fit::make_quadrature(ggx(), roughness, c, {200, 200});
       worst1 = std::max(worst1, std::abs(coarse.n1 - fine.n1));
       worst5 = std::max(worst5, std::abs(coarse.n5 - fine.n5));
       mean1 += std::abs(coarse.n1 - fine.n1);
       ++count;
     }
   }
-  MESSAGE("grid 64: n1 largest ", worst1, ", mean ", mean1 / count, "; n5 largest ", worst5);
-  CHECK(worst1 < 3e-4);
-  CHECK(mean1 / count < 5e-5);
-  CHECK(worst5 < 1e-4);
+  MESSAGE("20 x 20 points: n1 largest ", worst1, ", mean ", mean1 / count, "; n5 largest ", worst5);
+  CHECK(worst1 < 2e-5);
+  CHECK(mean1 / count < 1e-6);
+  CHECK(worst5 < 2e-5);
 }
 
 TEST_CASE("the quadrature's points lie above the surface and their density is normalised") {
   for (const double roughness : {0.0, 0.3, 1.0}) {
     for (const double c : {1.0, 0.5, 0.01}) {
-      const fit::Quadrature q = fit::make_quadrature(ggx(), roughness, c, 24);
+      const fit::Quadrature q = *fit::make_quadrature(ggx(), roughness, c, {24, 24});
       const double s = std::sqrt(1 - c * c);
       double mass = 0;
       for (std::size_t i = 0; i < q.size(); ++i) {
-        REQUIRE(q.weight[i] > 0);
+        REQUIRE(q.weight[i] >= 0);
         REQUIRE(q.y[i] >= 0);
         CHECK(s * q.x_mirror[i] + c * q.z_mirror[i] > 0);
         mass += q.weight[i] * q.density[i];

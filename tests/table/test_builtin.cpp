@@ -69,7 +69,7 @@ double mass(const f64::Lobe& lobe) {
 
 TEST_CASE("the built-in table says what it is") {
   const table::LobeTable& t = table::builtin_ggx_table();
-  CHECK(t.size == 64);
+  CHECK(t.columns == 64);
   CHECK(t.texels.size() == std::size_t(64 * 64 * 8));
   CHECK(t.metadata.brdf == "ggx");
   CHECK(t.metadata.command.find("openltc fit") == 0);

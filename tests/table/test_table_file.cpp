@@ -18,7 +18,7 @@ namespace {
 
 LobeTable small_table() {
   LobeTable t;
-  t.size = 3;
+  t.columns = t.rows = 3;
   t.texels.assign(3 * 3 * LobeTable::k_channels, 0.0f);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 3; ++x) {
@@ -55,7 +55,7 @@ TEST_CASE("a table written and read is the same to the bit") {
   for (const LobeTable& t : {small_table(), table::builtin_ggx_table()}) {
     const Result<LobeTable> read = table::from_json(table::to_json(t), "t.json");
     REQUIRE(read);
-    CHECK(read->size == t.size);
+    CHECK(read->columns == t.columns);
     CHECK(read->texels == t.texels);
     CHECK(read->metadata.variant == t.metadata.variant);
     CHECK(read->metadata.command == t.metadata.command);
