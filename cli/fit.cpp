@@ -120,7 +120,8 @@ int run_fit(const FitArguments& arguments) {
     errors.push_back(*error);
     text += error_text(region, errors.back());
   }
-  fit::describe_table(table, errors[0], OPENLTC_VERSION);
+  fit::describe_table(table, errors[0], OPENLTC_VERSION,
+                      fmt::format("openltc fit --brdf {} --size {}", brdf->name, options.size));
   if (!arguments.quiet)
     fmt::print(stderr, "fitted {} {}x{} in {:.1f} s\n", brdf->name, options.size, options.size,
                seconds);

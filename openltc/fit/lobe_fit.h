@@ -5,21 +5,21 @@
 
 #pragma once
 
+#include "openltc/fit/objective.h"
 #include "openltc/fit/quadrature.h"
+#include "openltc/target/shade_f64.h"
 #include "openltc/target/vec.h"
 
 namespace openltc::fit {
 
 /// What one fit minimises and when it stops.
 struct LobeFitOptions {
-  /// Weight of the squared L2 distance, relative to that of the BRDF's lobe, beside the total
-  /// variation. 0 is pure total variation.
-  double l2_weight = 0.3;
-  /// Width of the rounding of |x| at 0, relative to the local density of the quadrature.
-  double rounding = 0.05;
-  int max_iterations = 200;
-  /// Stops when no coefficient moves by more than this.
+  Objective objective;
+  int max_iterations = 100;
+  /// Stops after a step that lowers the objective by no more than this, relatively, and moves no
+  /// coefficient by more than step_tolerance.
   double tolerance = 1e-7;
+  double step_tolerance = 1e-3;
 };
 
 /// Result of a fit.
@@ -38,7 +38,10 @@ struct LobeDensity {
 };
 LobeDensity lobe_density(Vec4d mirror, double alpha, Vec3d wi_mirror);
 
-/// The share of the lobe below the surface's horizon, 0..1.
+/// The share of the lobe above the surface's horizon, 0..1.
+double above_horizon(const f64::Lobe& lobe);
+
+/// What is missing to 1: the share below.
 double lobe_leak(Vec4d mirror, double alpha, double cos_theta);
 
 /// Fits all four coefficients, from `start`, which must have a positive determinant. At normal

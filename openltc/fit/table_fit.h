@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// A whole table: one fit per node, each started from its neighbour.
+// A whole table: one fit per node, each started from its neighbour, then all of them together.
 
 #pragma once
 
@@ -15,10 +15,20 @@
 
 namespace openltc::fit {
 
+/// Whether the nodes are fitted once more, jointly, through the bilinear look-up.
+enum class Refine {
+  automatic, ///< where it pays: up to k_refined_size nodes per axis, or one column
+  on,
+  off
+};
+inline constexpr int k_refined_size = 32;
+
 /// How a table is fitted.
 struct TableFitOptions {
-  int size = 64; ///< nodes per axis, 2..512
-  QuadratureSize quadrature{20, 20};
+  int size = 64; ///< nodes per axis, 2..512; a BRDF without a parameter gets one column
+  table::AngleAxis angle_axis = table::AngleAxis::sqrt_one_minus_cos;
+  Refine refine = Refine::automatic;
+  QuadratureSize quadrature{20, 16};
   LobeFitOptions lobe;
 };
 
@@ -29,17 +39,24 @@ struct GrazingRow {
   double lobe_cosine;
   double amplitude_cosine;
 };
-GrazingRow grazing_row(int size);
+GrazingRow grazing_row(int rows, table::AngleAxis axis);
+
+/// The cosine of the view angle at a position 0..1 of an axis.
+double cosine_at(double position, table::AngleAxis axis);
 
 /// Fits a table. `progress` (may be empty) is called with the share done, 0..1, from any thread,
-/// one call at a time. The result does not depend on the number of threads; every coefficient is
-/// rounded to six decimal digits, so that it hardly depends on the last bits of a maths library
-/// either. describe_table completes the metadata.
+/// one call at a time. The result depends neither on the number of threads nor on the instruction
+/// set; every coefficient is rounded to six decimal digits, so that it hardly depends on the last
+/// bits of a maths library either. describe_table completes the metadata.
+///
+/// Fails with one line when the BRDF is not finite, negative or without energy, and when no lobe
+/// between the nodes could be kept from turning inside out.
 Result<table::LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& options,
                                    const std::function<void(double)>& progress = {});
 
 /// Fills in what the table says about itself: the errors of the first region rounded to four
 /// digits, the version of the tool, and the command that makes the same table again.
-void describe_table(table::LobeTable& table, const TableError& error, const char* tool_version);
+void describe_table(table::LobeTable& table, const TableError& error, const char* tool_version,
+                    const std::string& command);
 
 } // namespace openltc::fit

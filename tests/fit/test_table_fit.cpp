@@ -38,7 +38,7 @@ TEST_CASE("the built-in table regenerates byte for byte") {
   // A release raises the version without making the table anew.
   const std::string version = table::builtin_ggx_table().metadata.tool_version;
   fit::describe_table(*fitted, *fit::measure_lobes(ggx(), fit::lobes_of(*fitted), {}),
-                      version.c_str());
+                      version.c_str(), "openltc fit --brdf ggx --size 64");
   std::ifstream file(OPENLTC_SOURCE_DIR "/openltc/table/builtin_ggx.cpp", std::ios::binary);
   const std::string source{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   REQUIRE(!source.empty());
@@ -56,10 +56,10 @@ TEST_CASE("the built-in's errors between the nodes stay within their bounds") {
   const fit::TableError sharp = *fit::measure_lobes(ggx(), fit::lobes_of(t), options);
   MESSAGE("mean TV ", rough.mean.tv, " and ", sharp.mean.tv, ", largest ", rough.max.tv, " and ",
           sharp.max.tv);
-  CHECK(rough.mean.tv < 0.0415);
+  CHECK(rough.mean.tv < 0.0435);
   CHECK(rough.max.tv < 0.33);
-  CHECK(rough.mean.l2 < 0.068);
-  CHECK(rough.p95.peak < 0.20);
+  CHECK(rough.mean.l2 < 0.060);
+  CHECK(rough.p95.peak < 0.09);
   CHECK(rough.mean.leak < 0.004);
   CHECK(rough.mean.n1 < 4e-4);
   CHECK(rough.p95.n1 < 1e-3);
@@ -80,7 +80,8 @@ TEST_CASE("the number of threads does not matter") {
     fit::MeasureOptions measure;
     measure.points = 6;
     measure.quadrature = {12, 12};
-    fit::describe_table(*fitted, *fit::measure_lobes(ggx(), fit::lobes_of(*fitted), measure), "0");
+    fit::describe_table(*fitted, *fit::measure_lobes(ggx(), fit::lobes_of(*fitted), measure), "0",
+                        "test");
     results[k] = table::to_json(*fitted);
   }
   CHECK((results[0] == results[1]));

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Gauss-Newton with Marquardt's damping; the normal equations are solved by conjugate gradients
+// (Hestenes, Stiefel 1952) and never formed:
+//   with x_s = sum of f_si u_i the coefficients at sample s, g_s and H_s the objective's gradient
+//   and matrix there, and weight w_s,
+//   gradient_i = sum over s of w_s f_si g_s,   (H v)_i = sum over s of w_s f_si H_s sum_j f_sj v_j.
+// A table's matrix is that of the bilinear hat functions, whose condition is good; its 4 x 4 blocks
+// on the diagonal precondition it. A polynomial's few unknowns need as many steps at most.
+
+#include "openltc/fit/joint_fit.h"
+
+#include <Eigen/Dense>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace openltc::fit {
+
+namespace {
+
+using Vector4 = Eigen::Vector4d;
+using Matrix4 = Eigen::Matrix4d;
+using Unknowns = std::vector<Vector4, Eigen::aligned_allocator<Vector4>>;
+
+struct Local {
+  double value = 0;
+  Vector4 gradient = Vector4::Zero();
+  Matrix4 hessian = Matrix4::Zero();
+};
+using Locals = std::vector<Local, Eigen::aligned_allocator<Local>>;
+
+Unknowns to_eigen(const std::vector<Vec4d>& v) {
+  Unknowns result;
+  for (const Vec4d& x : v)
+    result.emplace_back(x.x, x.y, x.z, x.w);
+  return result;
+}
+
+std::vector<Vec4d> from_eigen(const Unknowns& v) {
+  std::vector<Vec4d> result;
+  for (const Vector4& x : v)
+    result.emplace_back(x[0], x[1], x[2], x[3]);
+  return result;
+}
+
+Vector4 interpolate(const JointSample& sample, const Unknowns& unknowns) {
+  Vector4 x = Vector4::Zero();
+  for (const JointTerm& term : sample.terms)
+    x += term.factor * unknowns[std::size_t(term.unknown)];
+  return x;
+}
+
+// The objective at one sample, weighted, with the penalty that keeps the determinant away from 0.
+Local evaluate_local(const JointSample& sample, const Vector4& x, const JointFitOptions& options) {
+  Local local;
+  const ObjectiveValue at =
+      evaluate_objective(sample.rule, Vec4d(x[0], x[1], x[2], x[3]), options.objective);
+  local.value = at.value;
+  int k = 0;
+  for (int i = 0; i < 4; ++i) {
+    local.gradient[i] = at.gradient[i];
+    for (int j = i; j < 4; ++j, ++k)
+      local.hessian(i, j) = local.hessian(j, i) = at.hessian[k];
+  }
+  const double width = sample.rule.width;
+  const double missing = 1 - (x[0] * x[3] - width * x[1] * x[2]) / options.least_determinant;
+  if (options.least_determinant > 0 && missing > 0) {
+    const Vector4 slope =
+        Vector4(-x[3], width * x[2], width * x[1], -x[0]) / options.least_determinant;
+    local.value += missing * missing;
+    local.gradient += 2 * missing * slope;
+    local.hessian += 2 * slope * slope.transpose();
+  }
+  local.value *= sample.weight;
+  local.gradient *= sample.weight;
+  local.hessian *= sample.weight;
+  return local;
+}
+
+double evaluate_all(const std::vector<JointSample>& samples, const Unknowns& unknowns,
+                    const JointFitOptions& options, Locals& locals) {
+  tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t s) {
+    locals[s] = evaluate_local(samples[s], interpolate(samples[s], unknowns), options);
+  });
+  double sum = 0;
+  for (const Local& local : locals)
+    sum += local.value;
+  return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+}
+
+double dot(const Unknowns& a, const Unknowns& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i].dot(b[i]);
+  return sum;
+}
+
+// Solves (H + damping diag blocks) x = -gradient.
+Unknowns solve(const std::vector<JointSample>& samples, const Locals& locals, double damping,
+               std::size_t count) {
+  Unknowns residual(count, Vector4::Zero());
+  std::vector<Matrix4, Eigen::aligned_allocator<Matrix4>> block(count, Matrix4::Zero());
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    for (const JointTerm& term : samples[s].terms) {
+      residual[std::size_t(term.unknown)] -= term.factor * locals[s].gradient;
+      block[std::size_t(term.unknown)] += term.factor * term.factor * locals[s].hessian;
+    }
+  }
+  std::vector<Vector4, Eigen::aligned_allocator<Vector4>> diagonal(count);
+  std::vector<Eigen::LDLT<Matrix4>> inverse(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    diagonal[i] = damping * block[i].diagonal();
+    for (int k = 0; k < 4; ++k)
+      block[i](k, k) += diagonal[i][k] + 1e-12 * block[i].trace() + 1e-300;
+    inverse[i].compute(block[i]);
+  }
+
+  Unknowns x(count, Vector4::Zero()), z(count), p(count), hp(count);
+  for (std::size_t i = 0; i < count; ++i)
+    p[i] = z[i] = inverse[i].solve(residual[i]);
+  double rz = dot(residual, z);
+  const double stop = 1e-8 * rz;
+  const int most = int(std::min<std::size_t>(4 * count, 300));
+  for (int k = 0; k < most && rz > stop; ++k) {
+    for (std::size_t i = 0; i < count; ++i)
+      hp[i] = diagonal[i].cwiseProduct(p[i]);
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+      const Vector4 h = locals[s].hessian * interpolate(samples[s], p);
+      for (const JointTerm& term : samples[s].terms)
+        hp[std::size_t(term.unknown)] += term.factor * h;
+    }
+    const double curvature = dot(p, hp);
+    if (!(curvature > 0)) break;
+    const double step = rz / curvature;
+    for (std::size_t i = 0; i < count; ++i) {
+      x[i] += step * p[i];
+      residual[i] -= step * hp[i];
+      z[i] = inverse[i].solve(residual[i]);
+    }
+    const double next = dot(residual, z);
+    for (std::size_t i = 0; i < count; ++i)
+      p[i] = z[i] + next / rz * p[i];
+    rz = next;
+  }
+  return x;
+}
+
+} // namespace
+
+JointFit fit_jointly(const std::vector<JointSample>& samples, std::vector<Vec4d> start,
+                     const JointFitOptions& options) {
+  JointFit fit;
+  Unknowns at = to_eigen(start);
+  Locals locals(samples.size()), trial_locals(samples.size());
+  double total_weight = 0;
+  for (const JointSample& sample : samples)
+    total_weight += sample.weight;
+  double value = evaluate_all(samples, at, options, locals);
+  double damping = 1e-3;
+  while (fit.iterations < options.max_iterations && damping < 1e8) {
+    const Unknowns step = solve(samples, locals, damping, at.size());
+    Unknowns trial = at;
+    for (std::size_t i = 0; i < trial.size(); ++i)
+      trial[i] += step[i];
+    const double there = evaluate_all(samples, trial, options, trial_locals);
+    ++fit.iterations;
+    if (there < value) {
+      const bool done = value - there < options.tolerance * value;
+      at.swap(trial);
+      locals.swap(trial_locals);
+      value = there;
+      damping = std::max(0.2 * damping, 1e-6);
+      if (done) break;
+    } else {
+      damping *= 10;
+    }
+  }
+  fit.unknowns = from_eigen(at);
+  fit.objective = value / total_weight;
+  return fit;
+}
+
+std::vector<Vec4d> project_jointly(const std::vector<JointSample>& samples,
+                                   const std::vector<Vec4d>& best, int unknown_count,
+                                   const Objective& objective) {
+  JointFitOptions options;
+  options.objective = objective;
+  Locals locals(samples.size());
+  tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t s) {
+    const Vector4 x(best[s].x, best[s].y, best[s].z, best[s].w);
+    locals[s] = evaluate_local(samples[s], x, options);
+    locals[s].gradient = -locals[s].hessian * x;
+  });
+  return from_eigen(solve(samples, locals, 1e-9, std::size_t(unknown_count)));
+}
+
+std::vector<double> interpolate_jointly(const std::vector<JointSample>& samples,
+                                        const std::vector<double>& values,
+                                        std::vector<double> start) {
+  // One of the four channels carries the values; the others are 0.
+  Unknowns at(start.size(), Vector4::Zero());
+  for (std::size_t i = 0; i < start.size(); ++i)
+    at[i][0] = start[i];
+  Locals locals(samples.size());
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const double w = samples[s].weight;
+    locals[s].gradient[0] = w * (interpolate(samples[s], at)[0] - values[s]);
+    locals[s].hessian = Matrix4::Identity() * w;
+  }
+  const Unknowns step = solve(samples, locals, 0, start.size());
+  for (std::size_t i = 0; i < start.size(); ++i)
+    start[i] += step[i][0];
+  return start;
+}
+
+} // namespace openltc::fit

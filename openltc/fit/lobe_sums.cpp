@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/fit/lobe_sums.h"
+
+namespace openltc::fit {
+
+void lobe_sums_baseline(const LobeSumsInput& input, LobeSumsOutput& output);
+#ifdef OPENLTC_X86
+void lobe_sums_avx2(const LobeSumsInput& input, LobeSumsOutput& output);
+void lobe_sums_avx512(const LobeSumsInput& input, LobeSumsOutput& output);
+#endif
+
+std::vector<LobeSums> all_lobe_sums() {
+  std::vector<LobeSums> variants = {lobe_sums_baseline};
+#ifdef OPENLTC_X86
+  if (__builtin_cpu_supports("avx2")) variants.push_back(lobe_sums_avx2);
+  if (__builtin_cpu_supports("avx512f")) variants.push_back(lobe_sums_avx512);
+#endif
+  return variants;
+}
+
+LobeSums lobe_sums() {
+  static const LobeSums best = all_lobe_sums().back();
+  return best;
+}
+
+} // namespace openltc::fit

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The inner loop of every fit: sums over the points of a quadrature. Internal to fit.
+//
+// Compiled once per instruction set from lobe_sums.inc. Eight points at a time, whatever the width
+// of the machine's registers, without fused operations: every addition happens in the same order
+// and rounds the same way, so the bits of a fit do not depend on the machine.
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace openltc::fit {
+
+/// The points, eight at a time, and the constants of one evaluation.
+struct LobeSumsInput {
+  const double* x = nullptr; ///< Quadrature::x_mirror, and so on
+  const double* y = nullptr;
+  const double* z = nullptr;
+  const double* weight = nullptr;
+  const double* density = nullptr;
+  std::size_t count = 0; ///< a multiple of 8
+
+  double m[4];         ///< o.x = m0 x + m1 z, o.z = m2 x + m3 z: (A, wB, wC, wD), w the width
+  double det = 0;      ///< det M^-1 times the scale s, over pi
+  double log_slope[4]; ///< derivative of log(det s) by m[k]
+  double tv = 0;       ///< weights of the distances, normalised: w/2, w/N2, w/N3
+  double l2 = 0;
+  double l3 = 0;
+  double rounding = 0;
+  double floor = 0; ///< e = rounding p + floor
+};
+
+/// Value, gradient by m[k] and the reweighted squares' matrix, upper triangle by rows.
+struct LobeSumsOutput {
+  double value;
+  double gradient[4];
+  double hessian[10];
+};
+
+using LobeSums = void (*)(const LobeSumsInput& input, LobeSumsOutput& output);
+
+/// The variant for this machine.
+LobeSums lobe_sums();
+
+/// All that this machine can run.
+std::vector<LobeSums> all_lobe_sums();
+
+} // namespace openltc::fit

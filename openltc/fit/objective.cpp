@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Source of the reweighting: Holland, Welsch 1977, "Robust Regression Using Iteratively Reweighted
+// Least-Squares". The gradient of F = sum of w_i phi(r_i) is that of the weighted squares
+// 1/2 sum of w_i omega_i r_i^2 with omega = phi'(r)/r at the current r; their matrix stands in for
+// the second derivatives.
+//
+// The leak is exact: below the horizon p = 0, and the integral of D there is, in cosine space, the
+// cosine's integral over a half-space with normal m = M^T z ~ (-m20, 0, m00), (1 - cos g)/2 with
+// cos g = m_z/|m|; that is sin^2(g/2), a square by itself. What is left above is cos^2(g/2).
+
+#include "openltc/fit/objective.h"
+
+#include "openltc/fit/lobe_sums.h"
+#include "openltc/target/shade_f64.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace openltc::fit {
+
+Result<Objective> find_objective(std::string_view name) {
+  Objective o;
+  if (name == "balanced") return o;
+  o.name = name;
+  o.rounding = 0.01;
+  o.l2 = o.l3 = o.tv = 0;
+  if (name == "tv") return o.tv = 1, o;
+  if (name == "l2") return o.l2 = 1, o;
+  if (name == "l3") return o.l3 = 1, o;
+  return Error{fmt::format("objective {}: known are balanced, tv, l2 and l3", name)};
+}
+
+ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objective& o) {
+  ObjectiveValue result;
+  const double width = q.width;
+  const double det = width * (abcd.x * abcd.w - width * abcd.y * abcd.z);
+  // The cosine's hemisphere must not be turned inside out. A and D by themselves may reach 0: at
+  // grazing angles -B C carries the determinant.
+  if (!(det > 0)) {
+    result.value = std::numeric_limits<double>::infinity();
+    return result;
+  }
+
+  // Half the angle g between the cosine's axis and the surface's normal in cosine space, and its
+  // slopes by m[k] = A, wB, wC, wD: m00 = m0 cos - m1 sin, m20 = m2 cos - m3 sin.
+  const double c = q.cos_theta, s = std::sqrt(std::max(0.0, 1 - c * c));
+  const double m[4] = {abcd.x, width * abcd.y, width * abcd.z, width * abcd.w};
+  const double m00 = m[0] * c - m[1] * s, m20 = m[2] * c - m[3] * s;
+  const double length2 = m00 * m00 + m20 * m20;
+  const double half = 0.5 * std::atan2(-m20, m00);
+  const double by_m00 = 0.5 * m20 / length2, by_m20 = -0.5 * m00 / length2;
+  const double slope[4] = {by_m00 * c, -by_m00 * s, by_m20 * c, -by_m20 * s};
+  const double sine = std::sin(half), cosine = std::cos(half);
+  const double above = cosine * cosine;
+  const bool clipped = o.horizon == Horizon::clipped;
+  if (clipped && !(above > 1e-3)) {
+    result.value = std::numeric_limits<double>::infinity();
+    return result;
+  }
+
+  LobeSumsInput in;
+  in.x = q.x_mirror.data();
+  in.y = q.y.data();
+  in.z = q.z_mirror.data();
+  in.weight = q.weight.data();
+  in.density = q.density.data();
+  in.count = q.size();
+  const double scale = clipped ? 1 / above : 1.0;
+  const double minor[4] = {m[3], -m[2], -m[1], m[0]};
+  for (int k = 0; k < 4; ++k) {
+    in.m[k] = m[k];
+    // d log(1/cos^2) = 2 tan
+    in.log_slope[k] = minor[k] / det + (clipped ? 2 * sine / cosine * slope[k] : 0.0);
+  }
+  in.det = det * scale * f64::k_inv_pi;
+  in.tv = 0.5 * o.tv;
+  in.l2 = o.l2 / q.norm2;
+  in.l3 = o.l3 / q.norm3;
+  in.rounding = o.rounding;
+  in.floor = o.rounding * 1e-3 * q.norm2;
+  LobeSumsOutput sums;
+  lobe_sums()(in, sums);
+
+  // From m[k] to A B C D, and the leak's square.
+  const double factor[4] = {1, width, width, width};
+  const double leak_weight = clipped ? 0.0 : 0.5 * o.tv;
+  result.value = sums.value + leak_weight * sine * sine;
+  int at = 0;
+  for (int i = 0; i < 4; ++i) {
+    const double leak_i = cosine * slope[i];
+    result.gradient[i] = factor[i] * (sums.gradient[i] + 2 * leak_weight * sine * leak_i);
+    for (int j = i; j < 4; ++j, ++at)
+      result.hessian[at] =
+          factor[i] * factor[j] * (sums.hessian[at] + 2 * leak_weight * leak_i * cosine * slope[j]);
+  }
+  return result;
+}
+
+} // namespace openltc::fit
