@@ -11,6 +11,7 @@
 #include "openltc/render/renderer.h"
 #include "openltc/scene/gltf.h"
 #include "openltc/scene/studio.h"
+#include "openltc/table/polynomial_file.h"
 #include "openltc/table/table_file.h"
 
 #include <fmt/format.h>
@@ -31,6 +32,7 @@ namespace openltc::cli {
 namespace {
 
 enum class LightChoice { automatic, scene, studio, both };
+enum class LobeForm { table, polynomial };
 
 struct RenderArguments {
   std::string scene;
@@ -41,6 +43,7 @@ struct RenderArguments {
   std::string camera;
   std::string size;
   std::string background;
+  std::optional<LobeForm> lobes;
   std::string table;
   std::optional<int> samples;
   int shadow_samples = 16;
@@ -146,6 +149,28 @@ LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene:
   return chosen;
 }
 
+struct OwnLobes {
+  table::LobeTable table;
+  table::LobePolynomial polynomial;
+};
+
+/// The lobes to shade with; those of a file are kept in `own`.
+Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, OwnLobes& own) {
+  const bool built_in = arguments.table.empty();
+  if (arguments.lobes.value_or(LobeForm::table) == LobeForm::polynomial) {
+    if (built_in) return render::LobeSource(table::builtin_ggx_polynomial());
+    Result<table::LobePolynomial> read = table::read_polynomial(arguments.table);
+    if (!read) return read.error();
+    own.polynomial = std::move(*read);
+    return render::LobeSource(own.polynomial);
+  }
+  if (built_in) return render::LobeSource(table::builtin_ggx_table());
+  Result<table::LobeTable> read = table::read_table(arguments.table);
+  if (!read) return read.error();
+  own.table = std::move(*read);
+  return render::LobeSource(own.table);
+}
+
 int run_render(const RenderArguments& arguments) {
   render::RenderOptions options;
   const bool size_given = !arguments.size.empty();
@@ -185,9 +210,10 @@ int run_render(const RenderArguments& arguments) {
   const bool has_standard_error = reference && options.samples > 1;
   if (Status status = check_outputs(arguments.outputs, has_standard_error); !status.ok())
     return fail(status.error().message);
-  if (reference && !arguments.table.empty())
-    return fail("--table: the reference has no lobes, and its materials are defined with the "
-                "built-in table; use --integrator ltc",
+  if (reference && (arguments.lobes || !arguments.table.empty()))
+    return fail(fmt::format("{}: the reference has no lobes, and its materials are defined with "
+                            "the built-in table; use --integrator ltc",
+                            arguments.lobes ? "--lobes" : "--table"),
                 k_exit_usage);
   if (reference && !has_standard_error && !arguments.quiet)
     fmt::print(stderr, "warning: one sample per pixel has no standard error; it is left out\n");
@@ -212,14 +238,9 @@ int run_render(const RenderArguments& arguments) {
     if (arguments.exposure == "auto") display.ev100 = image::ev100_from_exposure(k_studio_exposure);
   }
 
-  table::LobeTable own_table;
-  if (!arguments.table.empty()) {
-    Result<table::LobeTable> read = table::read_table(arguments.table);
-    if (!read) return fail(read.error().message);
-    own_table = std::move(*read);
-  }
-  const table::LobeTable& lobe_table =
-      arguments.table.empty() ? table::builtin_ggx_table() : own_table;
+  OwnLobes own_lobes;
+  const Result<render::LobeSource> lobes = choose_lobes(arguments, own_lobes);
+  if (!lobes) return fail(lobes.error().message);
 
   if (!arguments.quiet) {
     for (const std::string& warning : scene.warnings)
@@ -235,7 +256,7 @@ int run_render(const RenderArguments& arguments) {
       fmt::print(stderr, "warning: the scene has no light; --lights studio adds one\n");
   }
 
-  Result<render::Picture> picture = render::render(scene, *camera, lobe_table, options);
+  Result<render::Picture> picture = render::render(scene, *camera, *lobes, options);
   if (!picture) return fail(picture.error().message);
   if (!arguments.quiet)
     for (const std::string& warning : picture->warnings)
@@ -392,9 +413,16 @@ void add_render(CLI::App& app, int& exit_code) {
       ->transform(one_of(tonemaps))
       ->type_name(words_of(tonemaps));
   command->add_flag("--half", a.half, "Write .exr in half precision, which ends at 65504 nits");
+  const Choices<LobeForm> forms_of_lobes = {{"table", LobeForm::table},
+                                            {"polynomial", LobeForm::polynomial}};
+  command
+      ->add_option("--lobes", a.lobes,
+                   "Lobes of the LTC integrator from a table or from a polynomial [table]")
+      ->transform(one_of(forms_of_lobes))
+      ->type_name(words_of(forms_of_lobes));
   command
       ->add_option("--table", a.table,
-                   "Lobe table from openltc fit (.json), for the LTC integrator [built-in GGX]")
+                   "That table or polynomial from openltc fit (.json) [built-in GGX]")
       ->type_name("FILE");
   command->add_option("--seed", a.seed, "Seed of the sampling")
       ->capture_default_str()

@@ -225,7 +225,7 @@ Status check(const RenderOptions& o) {
 } // namespace
 
 Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
-                       const table::LobeTable& lobe_table, const RenderOptions& options) {
+                       const LobeSource& lobes, const RenderOptions& options) {
   if (Status status = check(options); !status.ok()) return status.error();
   const auto build_start = std::chrono::steady_clock::now();
 
@@ -244,7 +244,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
 
   Job job{scene, options, camera_rays, textures, **rays, kernel, {}};
   KernelContext& context = job.context;
-  context.table = lobe_table.view();
+  context.table = lobes.table;
+  context.polynomial = lobes.polynomial;
   context.polygons = lights.polygons.data();
   context.polygon_count = int(lights.polygons.size());
   context.punctual = lights.punctual.data();

@@ -9,6 +9,7 @@
 #include "openltc/image/image.h"
 #include "openltc/render/shading_kernel.h"
 #include "openltc/scene/scene.h"
+#include "openltc/table/lobe_polynomial.h"
 #include "openltc/table/lobe_table.h"
 
 #include <cstdint>
@@ -39,6 +40,16 @@ struct RenderOptions {
   bool quiet = true;           ///< no progress on stderr
 };
 
+/// Where shading has its lobes from: a table or a polynomial. A view; what it was made of must
+/// outlive it.
+struct LobeSource {
+  LobeSource(const table::LobeTable& from) : table(from.view()) {}
+  LobeSource(const table::LobePolynomial& from) : polynomial(from.view()) {}
+
+  LobeTableView table;
+  LobePolynomialView polynomial; ///< without coefficients when there is a table
+};
+
 struct Picture {
   image::Image radiance; ///< scene-linear, in the scene's units (nits)
   /// Reference: standard error of each pixel's mean, per channel, from the variance of its camera
@@ -54,6 +65,6 @@ struct Picture {
 /// Renders `scene` from `camera`, with exactly the lights of scene.lights.
 /// Fails with one line when an option is out of range, memory is short or the user interrupts.
 Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
-                       const table::LobeTable& lobe_table, const RenderOptions& options);
+                       const LobeSource& lobes, const RenderOptions& options);
 
 } // namespace openltc::render

@@ -110,6 +110,7 @@ enum class PunctualForm { exact, ltc };
 
 struct KernelContext {
   LobeTableView table;
+  LobePolynomialView polynomial; ///< instead of the table, where it has coefficients
   const PolygonLightView* polygons = nullptr;
   int polygon_count = 0;
   const PunctualLightView* punctual = nullptr;

@@ -16,5 +16,9 @@ CONSTANT k_min_alpha = 1.0e-4;
 /// lie in it: some thirty times the rounding of a world-space position in single precision.
 CONSTANT k_plane_tolerance = 2.0e-6;
 
+/// Least share of a lobe above the horizon that its amplitude is divided by. Fitted lobes have 0.7
+/// and more there; a lobe of a damaged table must not magnify rounding.
+CONSTANT k_min_share = 0.01;
+
 /// Added under a division or a square root whose argument may vanish; far below any length in use.
 CONSTANT k_tiny = 1.0e-30;

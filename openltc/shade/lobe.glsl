@@ -75,6 +75,29 @@ FN Vec3 from_cosine(Lobe lobe, Vec3 o) {
   return Vec3(lobe.m22 * o.x - lobe.m02 * o.z, lobe.det * o.y, lobe.m00 * o.z - lobe.m20 * o.x);
 }
 
+/// The surface's normal in cosine space, unit: M^T z ~ (-m20, 0, m00), the normal of the plane to
+/// which M^-1 takes the horizon.
+FN Vec3 horizon_normal_cosine(Lobe lobe) {
+  Real length2 = lobe.m00 * lobe.m00 + lobe.m20 * lobe.m20;
+  Real inv_length = inversesqrt(max(length2, Real(k_tiny)));
+  return Vec3(-lobe.m20 * inv_length, Real(0.0), lobe.m00 * inv_length);
+}
+
+/// Integral of the lobe over the directions above the surface's horizon, 0..1; the rest leaks.
+///
+/// In cosine space those directions are a lune, between the cosine's own horizon with normal z and
+/// the surface's with normal m. Lambert's edge sum over its two edges, half circles of length pi,
+/// makes (z + m) / 2 of it: the z component is this share, (1 + cos g) / 2 with g between z and m.
+FN Real share_above_horizon(Lobe lobe) {
+  return Real(0.5) + Real(0.5) * horizon_normal_cosine(lobe).z;
+}
+
+/// Mean direction of the part of the lobe above the horizon, shading space, not normalised: (z + m)
+/// / 2, the whole vector of that edge sum, carried back by M.
+FN Vec3 mean_above_horizon(Lobe lobe) {
+  return from_cosine(lobe, horizon_normal_cosine(lobe) + Vec3(Real(0.0), Real(0.0), Real(1.0)));
+}
+
 /// Density D(w) per solid angle, 1 over the whole sphere; the lobe may reach below the horizon.
 FN Real eval_lobe(Lobe lobe, Vec3 wi_shading) {
   Vec3 o = to_cosine(lobe, wi_shading);

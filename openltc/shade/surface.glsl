@@ -6,8 +6,12 @@
 //   L_o = integral of (k_d c/pi + f_s) L_i cos_i,   f_s = D V F (GGX, Smith, Schlick).
 //
 // The diffuse part is what the specular one leaves, k_d = (1 - metallic)(1 - E_spec(wo)), with
-// E_spec the specular albedo from the table: it does not depend on wi, so Lambert stays a cosine
-// and its polygon integral exact.
+// E_spec the specular albedo that comes with the lobe: it does not depend on wi, so Lambert stays a
+// cosine and its polygon integral exact.
+//
+// The lobe integrates to 1 over the sphere and may reach below the surface, where no light comes
+// from. f_s cos_i is therefore n1 F times the lobe divided by its share above the horizon: what
+// light from all sides reflects is n1 F, the albedo, and nothing leaks.
 
 struct Surface {
   Vec3 position; // world space
@@ -19,11 +23,14 @@ struct Surface {
   Vec3 f90;
   FittedLobe fitted;
   Vec3 specular; // F0 n1 + (F90 - F0) n5, the specular albedo
-  Real axis_weight; // n5/n1 less Schlick's weight on the lobe's axis
+  Real axis_weight; // n5/n1 less Schlick's weight in the lobe's mean direction
+  Real inv_share;   // 1 / share_above_horizon
 };
 
-/// Prepares a point for shading. `normal` and `wo_world` are unit; `albedo` is (1 - metallic) c.
-FN Surface make_surface(LobeTable table, Vec3 position, Vec3 normal, Vec3 wo_world, Vec3 albedo,
+/// Prepares a point for shading. `fitted` is the lobe of alpha_from_roughness(roughness) and
+/// dot(normal, wo_world), from a table or a polynomial. `normal` and `wo_world` are unit; `albedo`
+/// is (1 - metallic) c.
+FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_world, Vec3 albedo,
                         Vec3 f0, Vec3 f90, Real roughness) {
   Surface s;
   s.position = position;
@@ -32,23 +39,24 @@ FN Surface make_surface(LobeTable table, Vec3 position, Vec3 normal, Vec3 wo_wor
   s.alpha = alpha_from_roughness(roughness);
   s.f0 = f0;
   s.f90 = f90;
-  s.fitted = fetch_lobe(table, s.alpha, s.wo.z);
-  s.specular = specular_amplitude(s.fitted, f0, f90);
-  Vec3 axis = from_cosine(s.fitted.lobe, Vec3(Real(0.0), Real(0.0), Real(1.0)));
-  s.axis_weight = s.fitted.n5 / max(s.fitted.n1, Real(k_tiny)) -
-                  schlick_weight_between(s.wo, safe_direction(axis));
+  s.fitted = fitted;
+  s.specular = specular_amplitude(fitted, f0, f90);
+  s.inv_share = Real(1.0) / max(share_above_horizon(fitted.lobe), Real(k_min_share));
+  Vec3 mean = safe_direction(mean_above_horizon(fitted.lobe));
+  s.axis_weight = fitted.n5 / max(fitted.n1, Real(k_tiny)) - schlick_weight_between(s.wo, mean);
   Real taken = max(max(s.specular.x, s.specular.y), s.specular.z);
   s.diffuse = albedo * max(Real(1.0) - taken, Real(0.0));
   return s;
 }
 
-/// Specular reflectance of a share of the lobe, 0..1, whose light comes from around wi.
+/// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
+/// from around wi.
 ///
 /// F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 /// from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
 /// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus what the
-/// whole lobe has beyond its axis in proportion to the share: exact for a small light, w(wi), and
-/// for one that fills the lobe, n5/n1.
+/// whole lobe has beyond its mean direction in proportion to the share: exact for a small light,
+/// w(wi), and for one that fills the hemisphere, n5/n1.
 FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
   Real weight = schlick_weight_between(s.wo, wi) + share * s.axis_weight;
   Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, Real(0.0)), Real(1.0));
@@ -58,8 +66,9 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
 /// Light from a polygon of radiance 1 in closed form, without shadow.
 FN Vec3 shade_polygon(Surface s, Polygon polygon) {
   PolygonIntegral integral = integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+  Real share = min(integral.specular * s.inv_share, Real(1.0));
   return s.diffuse * integral.diffuse +
-         specular_reflectance(s, integral.specular_direction, integral.specular);
+         specular_reflectance(s, integral.specular_direction, share);
 }
 
 /// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but
@@ -70,12 +79,12 @@ FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
 }
 
 /// The LTC approximation of eval_surface, the limit of shade_polygon for a small light: Fresnel
-/// times n1 times the lobe's density (MATHS section 5).
+/// times n1 times the lobe's density above the horizon (MATHS section 5).
 FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
   // Clipped to the surface's horizon like the polygon integral.
   Real density = select(wi_shading.z > Real(0.0), eval_lobe(s.fitted.lobe, wi_shading), Real(0.0));
   Vec3 fresnel = s.f0 + (s.f90 - s.f0) * schlick_weight_between(s.wo, wi_shading);
-  return s.diffuse * eval_lambert(wi_shading) + fresnel * (s.fitted.n1 * density);
+  return s.diffuse * eval_lambert(wi_shading) + fresnel * (s.fitted.n1 * s.inv_share * density);
 }
 
 /// Probability with which sample_surface draws from GGX rather than from the cosine.

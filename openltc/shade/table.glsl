@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Look-up of a fitted lobe and of the amplitudes that belong to it.
+// A fitted lobe and the amplitudes that belong to it, looked up in a table.
 //
 // Axes of the native table, node (0,0) at roughness 0 and normal incidence:
 //   x = sqrt(alpha) = roughness,   y = sqrt(1 - cos theta).

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// What the dialect's resource handles, LobeTable and Polygon, are in C++: views of plain arrays,
-// the same for every number type. The owner of the arrays outlives the views.
+// What the dialect's resource handles, LobeTable, LobePolynomial and Polygon, are in C++: views of
+// plain arrays, the same for every number type. The owner of the arrays outlives the views.
 
 #pragma once
 
@@ -15,6 +15,14 @@ struct LobeTableView {
   const float* texels = nullptr;
   int columns = 0;
   int rows = 0;
+};
+
+/// View of the polynomial form of fitted lobes; see shade/polynomial.glsl.
+struct LobePolynomialView {
+  /// (degree + 1)(degree + 2)/2 terms of 8 floats each, A B C D n1 n5 0 0, the coefficients of
+  /// T_i(u) T_j(v): j from 0 slow, i from 0 to degree - j fast.
+  const float* coefficients = nullptr;
+  int degree = 0;
 };
 
 /// View of a polygon light's outline.

@@ -36,6 +36,13 @@ template <class R> Vec2T<R> operator-(Vec2T<R> a, Vec2T<R> b) { return {a.x - b.
 template <class R> Vec2T<R> operator*(Vec2T<R> a, R s) { return {a.x * s, a.y * s}; }
 template <class R> Vec2T<R> operator*(R s, Vec2T<R> a) { return {a.x * s, a.y * s}; }
 
+template <class R> Vec4T<R> operator+(Vec4T<R> a, Vec4T<R> b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+}
+template <class R> Vec4T<R> operator*(Vec4T<R> a, R s) {
+  return {a.x * s, a.y * s, a.z * s, a.w * s};
+}
+
 template <class R> Vec3T<R> operator-(Vec3T<R> a) { return {-a.x, -a.y, -a.z}; }
 template <class R> Vec3T<R> operator+(Vec3T<R> a, Vec3T<R> b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

@@ -11,6 +11,8 @@ layout(set = 0, binding = 2) uniform sampler table_sampler;
 layout(set = 0, binding = 3, std430) readonly buffer Polygons { vec4 openltc_polygons[]; };
 layout(set = 0, binding = 4, std430) readonly buffer Points { vec4 points[]; };
 layout(set = 0, binding = 5, std430) buffer Colors { vec4 colors[]; };
+layout(set = 0, binding = 6, std430) readonly buffer Polynomial { vec4 openltc_polynomial[]; };
+const int openltc_polynomial_degree = 4;
 #define openltc_table_coefficients sampler2D(table_coefficients, table_sampler)
 #define openltc_table_amplitudes sampler2D(table_amplitudes, table_sampler)
 

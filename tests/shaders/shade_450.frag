@@ -9,6 +9,11 @@ layout(set = 0, binding = 0) uniform texture2D table_coefficients;
 layout(set = 0, binding = 1) uniform texture2D table_amplitudes;
 layout(set = 0, binding = 2) uniform sampler table_sampler;
 layout(set = 0, binding = 3, std140) uniform Polygons { vec4 openltc_polygons[256]; };
+layout(set = 0, binding = 4, std140) uniform Polynomial {
+  ivec4 polynomial_header;
+  vec4 openltc_polynomial[56];
+};
+#define openltc_polynomial_degree polynomial_header.x
 #define openltc_table_coefficients sampler2D(table_coefficients, table_sampler)
 #define openltc_table_amplitudes sampler2D(table_amplitudes, table_sampler)
 

@@ -11,6 +11,8 @@ precision highp sampler2D;
 uniform sampler2D openltc_table_coefficients;
 uniform sampler2D openltc_table_amplitudes;
 layout(std140) uniform Polygons { vec4 openltc_polygons[256]; };
+uniform int openltc_polynomial_degree;
+uniform vec4 openltc_polynomial[56];
 
 #include "openltc/target/glsl.inc"
 #include "openltc/target/shade_all.inc"

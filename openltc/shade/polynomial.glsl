@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Fitted lobes without a table: a polynomial for each channel.
+//
+// With u = 2 sqrt(alpha) - 1 and v = 2 sqrt(1 - cos theta) - 1, both in [-1, 1] and the axes of the
+// native table (table.glsl), each of A, B, C, D (the mirror packing, lobe.glsl), n1 and n5 is
+//   sum over i + j <= degree of c_ij T_i(u) T_j(v),
+// T_n being Chebyshev's polynomials, T_0 = 1, T_1 = x, T_n+1 = 2 x T_n - T_n-1. They stay within
+// 1, so the coefficients show what each term is worth, and single precision loses nothing.
+//
+// Terms are numbered with j slow, from 0, and i fast, from 0 to degree - j. The prelude of each
+// target gives
+//   int  lobe_polynomial_degree(LobePolynomial)
+//   Vec4 lobe_polynomial_mirror(LobePolynomial, term)      c_ij of A B C D
+//   Vec2 lobe_polynomial_amplitudes(LobePolynomial, term)  c_ij of n1 n5
+
+/// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+/// values: n1 in [0, 1], n5 in [0, n1], a determinant above 0.
+FN FittedLobe eval_lobe_polynomial(LobePolynomial polynomial, Real alpha, Real cos_theta) {
+  Real a = min(max(alpha, Real(k_min_alpha)), Real(1.0));
+  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
+  Real u = Real(2.0) * sqrt(a) - Real(1.0);
+  Real v = Real(2.0) * sqrt(Real(1.0) - c) - Real(1.0);
+  Real u_twice = u + u;
+  Real v_twice = v + v;
+
+  // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
+  // at T_j(v) instead of 1. All channels share it.
+  int degree = lobe_polynomial_degree(polynomial);
+  Vec4 abcd = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
+  Vec2 amplitudes = Vec2(Real(0.0), Real(0.0));
+  Real t_v = Real(1.0);
+  Real t_v_before = v;
+  int term = 0;
+  for (int j = 0; j <= degree; ++j) {
+    Real product = t_v;
+    Real product_before = u * t_v;
+    for (int i = 0; i <= degree - j; ++i) {
+      abcd = abcd + lobe_polynomial_mirror(polynomial, term) * product;
+      amplitudes = amplitudes + lobe_polynomial_amplitudes(polynomial, term) * product;
+      Real next = u_twice * product - product_before;
+      product_before = product;
+      product = next;
+      ++term;
+    }
+    Real t_v_next = v_twice * t_v - t_v_before;
+    t_v_before = t_v;
+    t_v = t_v_next;
+  }
+
+  FittedLobe fitted;
+  fitted.lobe = lobe_from_mirror(abcd, a, c);
+  fitted.lobe.det = max(fitted.lobe.det, Real(k_tiny));
+  fitted.n1 = min(max(amplitudes.x, Real(0.0)), Real(1.0));
+  fitted.n5 = min(max(amplitudes.y, Real(0.0)), fitted.n1);
+  return fitted;
+}

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Fitted lobes without a table: a polynomial for each channel, and what is known about it.
+
+#pragma once
+
+#include "openltc/table/lobe_table.h"
+#include "openltc/target/resources.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace openltc::table {
+
+/// Number of products T_i T_j with i + j <= degree.
+constexpr int polynomial_terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
+
+/// Coefficients of the lobe M^-1 and its amplitudes as polynomials of roughness and view angle.
+///
+/// Each of A B C D n1 n5, the channels of a LobeTable's texel, is the sum over i + j <= degree of
+/// c_ij T_i(u) T_j(v), T being Chebyshev's polynomials, u = 2 sqrt(alpha) - 1 = 2 roughness - 1,
+/// v = 2 sqrt(1 - cos theta) - 1 (shade/polynomial.glsl). The lobe's width is alpha.
+/// Storage: 32-bit float; terms of 8 floats, A B C D n1 n5 0 0, with j from 0 to degree slow and i
+/// from 0 to degree - j fast.
+struct LobePolynomial {
+  static constexpr int k_channels = 8;
+  static constexpr int k_min_degree = 3;
+  static constexpr int k_max_degree = 6;
+
+  int degree = 0;                  ///< k_min_degree to k_max_degree
+  std::vector<float> coefficients; ///< polynomial_terms(degree) * k_channels
+  TableMetadata metadata;
+
+  LobePolynomialView view() const { return {coefficients.data(), degree}; }
+  const float* term(int index) const {
+    return coefficients.data() + std::size_t(index) * k_channels;
+  }
+  float* term(int index) { return coefficients.data() + std::size_t(index) * k_channels; }
+};
+
+/// The polynomial that the product ships: GGX, height-correlated Smith; its metadata names the
+/// command that made it.
+const LobePolynomial& builtin_ggx_polynomial();
+
+} // namespace openltc::table

@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/table/polynomial_file.h"
+
+#include "openltc/base/atomic_file.h"
+#include "openltc/table/polynomial_source.h"
+#include "openltc/target/shade_f64.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace openltc::table {
+
+namespace {
+
+constexpr const char* k_format = "openltc-lobe-polynomial";
+constexpr int k_version = 1;
+constexpr int k_stored = 6;       // the last two channels of a term are padding
+constexpr int k_check_steps = 96; // of the grid on which a polynomial read from a file is checked
+
+// One term a line: six numbers, each the shortest that reads back as the same float.
+std::string number_rows(const LobePolynomial& polynomial) {
+  std::string rows;
+  const int count = polynomial_terms(polynomial.degree);
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < k_stored; ++k) {
+      const float value = polynomial.term(i)[k];
+      // "-0" would read back as the integer 0.
+      rows += value == 0 && std::signbit(value) ? std::string("-0.0") : fmt::format("{}", value);
+      rows += k + 1 < k_stored ? "," : i + 1 < count ? ",\n" : "\n";
+    }
+  return rows;
+}
+
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+std::string text_of(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+double number_of(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+// The extension that `path` ends with, with its dot; empty when none of ours.
+std::string extension_of(const std::string& path) {
+  for (const char* extension : {".json", ".cpp", ".inc", ".h", ".glsl", ".hlsl", ".wgsl", ".js"}) {
+    const std::string ending(extension);
+    if (path.size() >= ending.size() &&
+        path.compare(path.size() - ending.size(), ending.size(), ending) == 0)
+      return ending;
+  }
+  return {};
+}
+
+std::optional<SourceLanguage> language_of(const std::string& extension) {
+  if (extension == ".h") return SourceLanguage::c;
+  if (extension == ".glsl") return SourceLanguage::glsl;
+  if (extension == ".hlsl") return SourceLanguage::hlsl;
+  if (extension == ".wgsl") return SourceLanguage::wgsl;
+  if (extension == ".js") return SourceLanguage::javascript;
+  return {};
+}
+
+Status check_determinant(const LobePolynomial& polynomial, const std::string& name) {
+  for (int i = 0; i <= k_check_steps; ++i)
+    for (int j = 0; j <= k_check_steps; ++j) {
+      const double roughness = double(i) / k_check_steps, y = double(j) / k_check_steps;
+      const double alpha = f64::alpha_from_roughness(roughness);
+      const f64::Lobe lobe = f64::eval_lobe_polynomial(polynomial.view(), alpha, 1 - y * y).lobe;
+      // What is not positive comes back as the guard's k_tiny.
+      if (!(lobe.det > 1e-12 * alpha))
+        return Error{fmt::format("{}: the lobe at roughness {:.3f}, view angle cosine {:.3f} has "
+                                 "no positive determinant",
+                                 name, roughness, 1 - y * y)};
+    }
+  return Success{};
+}
+
+} // namespace
+
+std::string to_json(const LobePolynomial& polynomial) {
+  const TableMetadata& m = polynomial.metadata;
+  std::string out = "{\n";
+  out += fmt::format("\"format\": \"{}\",\n\"version\": {},\n", k_format, k_version);
+  out += "\"metadata\": {\n";
+  out += fmt::format("  \"brdf\": {},\n  \"variant\": {},\n", quoted(m.brdf), quoted(m.variant));
+  out += fmt::format("  \"objective\": {},\n", quoted(m.objective));
+  out += fmt::format("  \"command\": {},\n", quoted(m.command));
+  out += fmt::format("  \"tool_version\": {},\n", quoted(m.tool_version));
+  out += fmt::format("  \"mean_tv\": {},\n  \"max_tv\": {}\n}},\n", m.mean_tv, m.max_tv);
+  out += fmt::format("\"degree\": {},\n", polynomial.degree);
+  out += "\"axes\": [\"u = 2 sqrt(alpha) - 1 = 2 roughness - 1\", "
+         "\"v = 2 sqrt(1 - cos theta) - 1\"],\n";
+  out +=
+      "\"terms\": \"T_i(u) T_j(v), Chebyshev, i + j <= degree: j slow from 0, i fast from 0\",\n";
+  out += "\"packing\": \"mirror frame: M^-1 = [A 0 aB; 0 1 0; aC 0 aD], a = alpha, acting on "
+         "(x', y, z'), x' = (cos, 0, sin), z' = (-sin, 0, cos)\",\n";
+  out += "\"channels\": [\"A\", \"B\", \"C\", \"D\", \"n1\", \"n5\"],\n";
+  out += "\"coefficients\": [\n" + number_rows(polynomial) + "]\n}\n";
+  return out;
+}
+
+Result<LobePolynomial> polynomial_from_json(const std::string& text, const std::string& name) {
+  const nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
+  if (root.is_discarded()) return Error{name + ": not a complete JSON file; was it cut off?"};
+  const std::string format = root.is_object() ? text_of(root, "format") : std::string();
+  if (format == "openltc-lobe-table")
+    return Error{name + ": holds a lobe table, not a polynomial; openltc fit --form polynomial "
+                        "writes one"};
+  if (format != k_format)
+    return Error{fmt::format("{}: format is not \"{}\"; openltc fit --form polynomial writes such "
+                             "files",
+                             name, k_format)};
+  if (number_of(root, "version") != k_version)
+    return Error{fmt::format("{}: version is not {}, the one this build reads", name, k_version)};
+
+  const double degree = number_of(root, "degree");
+  if (!(degree >= LobePolynomial::k_min_degree && degree <= LobePolynomial::k_max_degree &&
+        degree == std::floor(degree)))
+    return Error{fmt::format("{}: degree must be a whole number from {} to {}", name,
+                             LobePolynomial::k_min_degree, LobePolynomial::k_max_degree)};
+  LobePolynomial polynomial;
+  polynomial.degree = int(degree);
+  const auto coefficients = root.find("coefficients");
+  if (coefficients == root.end() || !coefficients->is_array())
+    return Error{name + ": coefficients is missing"};
+  const std::size_t terms = std::size_t(polynomial_terms(polynomial.degree));
+  if (coefficients->size() != terms * k_stored)
+    return Error{fmt::format("{}: coefficients holds {} numbers, but degree {} needs {}", name,
+                             coefficients->size(), polynomial.degree, terms * k_stored)};
+  polynomial.coefficients.assign(terms * LobePolynomial::k_channels, 0.0f);
+  for (std::size_t i = 0; i < terms * k_stored; ++i) {
+    const nlohmann::json& value = (*coefficients)[i];
+    float& number = polynomial.term(int(i / k_stored))[i % k_stored];
+    if (value.is_number()) number = float(value.get<double>());
+    if (!value.is_number() || !std::isfinite(number))
+      return Error{fmt::format("{}: coefficients[{}] is not a finite number", name, i)};
+  }
+  if (Status status = check_determinant(polynomial, name); !status) return status.error();
+
+  const auto metadata = root.find("metadata");
+  if (metadata == root.end() || !metadata->is_object())
+    return Error{name + ": metadata is missing"};
+  polynomial.metadata.brdf = text_of(*metadata, "brdf");
+  polynomial.metadata.variant = text_of(*metadata, "variant");
+  polynomial.metadata.objective = text_of(*metadata, "objective");
+  polynomial.metadata.command = text_of(*metadata, "command");
+  polynomial.metadata.tool_version = text_of(*metadata, "tool_version");
+  polynomial.metadata.mean_tv = number_of(*metadata, "mean_tv");
+  polynomial.metadata.max_tv = number_of(*metadata, "max_tv");
+  return polynomial;
+}
+
+Result<LobePolynomial> read_polynomial(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{path + ": cannot open; does it exist and may it be read?"};
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) return Error{path + ": cannot be read to its end"};
+  return polynomial_from_json(text, path);
+}
+
+std::string to_builtin_source(const LobePolynomial& polynomial) {
+  const TableMetadata& m = polynomial.metadata;
+  const int terms = polynomial_terms(polynomial.degree);
+  std::string out = "// Copyright (c) 2026 The OpenLTC authors\n"
+                    "// SPDX-License-Identifier: MIT\n//\n";
+  out += fmt::format("// Generated by: {}\n// Do not edit.\n//\n", m.command);
+  out += "// One term a line: A B C D n1 n5 (openltc/table/lobe_polynomial.h).\n\n";
+  out += "#include \"openltc/table/lobe_polynomial.h\"\n\n";
+  out += "namespace openltc::table {\n\nnamespace {\n\n";
+  out += fmt::format("// clang-format off\nconst double k_numbers[{}] = {{\n", terms * k_stored);
+  out += number_rows(polynomial);
+  out += "};\n// clang-format on\n\n";
+  out += "LobePolynomial make_polynomial() {\n  LobePolynomial polynomial;\n";
+  out += fmt::format("  polynomial.degree = {};\n", polynomial.degree);
+  out += fmt::format("  polynomial.coefficients.assign({}, 0.0f);\n",
+                     terms * LobePolynomial::k_channels);
+  out += fmt::format("  for (int i = 0; i < {}; ++i)\n    for (int k = 0; k < {}; ++k)\n"
+                     "      polynomial.term(i)[k] = float(k_numbers[i * {} + k]);\n",
+                     terms, k_stored, k_stored);
+  const auto field = [&](const char* name, const std::string& value) {
+    out += fmt::format("  polynomial.metadata.{} = {};\n", name, value);
+  };
+  field("brdf", quoted(m.brdf));
+  field("variant", quoted(m.variant));
+  field("objective", quoted(m.objective));
+  field("command", quoted(m.command));
+  field("tool_version", quoted(m.tool_version));
+  field("mean_tv", fmt::format("{}", m.mean_tv));
+  field("max_tv", fmt::format("{}", m.max_tv));
+  out += "  return polynomial;\n}\n\n} // namespace\n\n";
+  out += "const LobePolynomial& builtin_ggx_polynomial() {\n"
+         "  static const LobePolynomial polynomial = make_polynomial();\n"
+         "  return polynomial;\n}\n\n} // namespace openltc::table\n";
+  return out;
+}
+
+Status check_polynomial_extension(const std::string& path) {
+  if (!extension_of(path).empty()) return Success{};
+  return Error{path + ": a polynomial is written as .json, as .h, .glsl, .hlsl, .wgsl or .js to "
+                      "paste, or as .cpp or .inc, the source of the built-in"};
+}
+
+Status write_polynomial(const LobePolynomial& polynomial, const std::string& path) {
+  if (Status status = check_polynomial_extension(path); !status) return status;
+  const std::string extension = extension_of(path);
+  const std::optional<SourceLanguage> language = language_of(extension);
+  const std::string text = language               ? to_source(polynomial, *language)
+                           : extension == ".json" ? to_json(polynomial)
+                                                  : to_builtin_source(polynomial);
+  return write_atomically(path, [&](const std::string& temporary) -> Status {
+    std::ofstream file(temporary, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) return Error{path + ": cannot write; is the disk full?"};
+    return Success{};
+  });
+}
+
+} // namespace openltc::table
