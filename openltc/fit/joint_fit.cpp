@@ -59,12 +59,12 @@ Local evaluate_local(const JointSample& sample, const Vector4& x, const JointFit
   Local local;
   const ObjectiveValue at =
       evaluate_objective(sample.rule, Vec4d(x[0], x[1], x[2], x[3]), options.objective);
-  local.value = at.value;
+  local.value = sample.weight * at.value;
   int k = 0;
   for (int i = 0; i < 4; ++i) {
-    local.gradient[i] = at.gradient[i];
+    local.gradient[i] = sample.weight * at.gradient[i];
     for (int j = i; j < 4; ++j, ++k)
-      local.hessian(i, j) = local.hessian(j, i) = at.hessian[k];
+      local.hessian(i, j) = local.hessian(j, i) = sample.weight * at.hessian[k];
   }
   const double width = sample.rule.width;
   const double missing = 1 - (x[0] * x[3] - width * x[1] * x[2]) / options.least_determinant;
@@ -75,9 +75,6 @@ Local evaluate_local(const JointSample& sample, const Vector4& x, const JointFit
     local.gradient += 2 * missing * slope;
     local.hessian += 2 * slope * slope.transpose();
   }
-  local.value *= sample.weight;
-  local.gradient *= sample.weight;
-  local.hessian *= sample.weight;
   return local;
 }
 

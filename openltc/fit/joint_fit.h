@@ -24,7 +24,7 @@ struct JointTerm {
 /// are the sum of factor * unknown over the terms.
 struct JointSample {
   Quadrature rule;
-  double weight = 1;
+  double weight = 1; ///< of the objective; the penalty below counts fully
   std::vector<JointTerm> terms;
 };
 

@@ -20,7 +20,7 @@ constexpr int polynomial_terms(int degree) { return (degree + 1) * (degree + 2) 
 ///
 /// Each of A B C D n1 n5, the channels of a LobeTable's texel, is the sum over i + j <= degree of
 /// c_ij T_i(u) T_j(v), T being Chebyshev's polynomials, u = 2 sqrt(alpha) - 1 = 2 roughness - 1,
-/// v = 2 sqrt(1 - cos theta) - 1 (shade/polynomial.glsl). The lobe's width is alpha.
+/// v = 2 sqrt(1 - cos theta) - 1 (shade/polynomial.glsl). The lobe's width is alpha or 1.
 /// Storage: 32-bit float; terms of 8 floats, A B C D n1 n5 0 0, with j from 0 to degree slow and i
 /// from 0 to degree - j fast.
 struct LobePolynomial {
@@ -28,7 +28,8 @@ struct LobePolynomial {
   static constexpr int k_min_degree = 3;
   static constexpr int k_max_degree = 6;
 
-  int degree = 0;                  ///< k_min_degree to k_max_degree
+  int degree = 0; ///< k_min_degree to k_max_degree
+  brdf::LobeWidth width = brdf::LobeWidth::alpha;
   std::vector<float> coefficients; ///< polynomial_terms(degree) * k_channels
   TableMetadata metadata;
 

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Every sample is first fitted by itself; the polynomials closest to those fits, in the metric of
+// the objective, start the joint fit (joint_fit.h). The determinant is kept away from 0 by a
+// penalty, also on the rim theta = 90 degrees, and proven to be positive afterwards; where the
+// proof fails the penalty begins farther out and the joint fit goes on.
+
+#include "openltc/fit/polynomial_fit.h"
+
+#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/lobe_start.h"
+#include "openltc/target/shade_f64.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace openltc::fit {
+
+namespace {
+
+using table::LobePolynomial;
+
+// Products T_i(u) T_j(v) in the order of LobePolynomial. A BRDF without a parameter depends on v
+// alone: only terms with i = 0.
+std::vector<JointTerm> terms_at(int degree, bool with_roughness, double roughness, double y) {
+  const double u = 2 * std::max(roughness, 0.01) - 1, v = 2 * y - 1;
+  std::vector<double> tu = {1, u}, tv = {1, v};
+  for (std::size_t k = 2; k <= std::size_t(degree); ++k) {
+    tu.push_back(2 * u * tu[k - 1] - tu[k - 2]);
+    tv.push_back(2 * v * tv[k - 1] - tv[k - 2]);
+  }
+  std::vector<JointTerm> terms;
+  int term = 0;
+  for (int j = 0; j <= degree; ++j)
+    for (int i = 0; i <= degree - j; ++i, ++term)
+      if (with_roughness || i == 0)
+        terms.push_back({term, tu[std::size_t(i)] * tv[std::size_t(j)]});
+  return terms;
+}
+
+// Cosine of the rim's samples: at 0 itself there is no lobe.
+constexpr double k_rim_cosine = 1e-4;
+// The rim counts little as a place to fit, fully as one where the determinant must stay positive.
+constexpr double k_rim_weight = 1e-3;
+
+struct Samples {
+  std::vector<JointSample> joint;
+  std::vector<Vec4d> best; // fitted by themselves
+};
+
+Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions& options) {
+  const int n = options.samples;
+  const int columns = brdf.has_parameter() ? n : 1, rows = n + 1; // the last row is the rim
+  // Closer towards the mirror, where lobes are narrow and a small error of a coefficient is a large
+  // one of the lobe. The rim's samples reach both ends.
+  const auto roughness_of = [&](int column, bool rim) {
+    if (columns == 1) return 1.0;
+    const double t = rim ? double(column) / (n - 1) : (column + 0.5) / n;
+    return t * (0.7 + 0.3 * t);
+  };
+  std::vector<double> scale;
+  for (int i = 0; i < columns; ++i)
+    scale.push_back(half_vector_scale(brdf, roughness_of(i, false)));
+
+  Samples samples;
+  samples.joint.resize(std::size_t(columns) * std::size_t(rows));
+  samples.best.resize(samples.joint.size());
+  std::vector<std::string> failures{std::size_t(rows)};
+  LobeFitOptions fit;
+  fit.objective.horizon = options.objective.horizon; // otherwise balanced, the start of all
+  tbb::parallel_for(0, rows, [&](int row) {
+    const bool rim = row == n;
+    const double y = rim ? std::sqrt(1 - k_rim_cosine) : (row + 0.5) / n;
+    Vec4d start;
+    for (int column = columns - 1; column >= 0; --column) {
+      const std::size_t at = std::size_t(row) * std::size_t(columns) + std::size_t(column);
+      Result<Quadrature> rule = make_quadrature(brdf, roughness_of(column, rim), 1 - y * y,
+                                                scale[std::size_t(column)], options.quadrature);
+      if (!rule) {
+        failures[std::size_t(row)] = rule.error().message;
+        return;
+      }
+      if (column == columns - 1) start = fit_from_starts(*rule, {}, fit).mirror;
+      samples.best[at] = fit_from_neighbour(*rule, start, fit).mirror;
+      samples.joint[at].rule = std::move(*rule);
+      samples.joint[at].weight = rim ? k_rim_weight : 1.0;
+      samples.joint[at].terms =
+          terms_at(options.degree, brdf.has_parameter(), roughness_of(column, rim), y);
+    }
+  });
+  for (const std::string& failure : failures)
+    if (!failure.empty()) return Error{failure};
+  return samples;
+}
+
+float round_to_seven_digits(double x) {
+  return std::strtof(fmt::format("{:.6e}", x).c_str(), nullptr);
+}
+
+LobePolynomial pack(const brdf::Brdf& brdf, int degree, const std::vector<Vec4d>& mirror,
+                    const std::vector<double>& n1, const std::vector<double>& n5) {
+  LobePolynomial p;
+  p.degree = degree;
+  p.width = brdf.width;
+  for (std::size_t term = 0; term < mirror.size(); ++term)
+    for (const double c : {mirror[term].x, mirror[term].y, mirror[term].z, mirror[term].w, n1[term],
+                           n5[term], 0.0, 0.0})
+      p.coefficients.push_back(round_to_seven_digits(c));
+  return p;
+}
+
+} // namespace
+
+Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFitOptions& options) {
+  if (options.degree < LobePolynomial::k_min_degree ||
+      options.degree > LobePolynomial::k_max_degree)
+    return Error{fmt::format("polynomial degree {}: choose {} to {}", options.degree,
+                             LobePolynomial::k_min_degree, LobePolynomial::k_max_degree)};
+  const Result<Samples> samples = make_samples(brdf, options);
+  if (!samples) return samples.error();
+
+  const std::size_t count = std::size_t(table::polynomial_terms(options.degree));
+  JointFitOptions joint;
+  joint.objective = Objective{};
+  joint.objective.horizon = options.objective.horizon;
+  joint.max_iterations = 60;
+  joint.least_determinant = 2e-5;
+  std::vector<Vec4d> mirror =
+      project_jointly(samples->joint, samples->best, int(count), joint.objective);
+
+  std::vector<double> wanted1, wanted5;
+  for (const JointSample& sample : samples->joint) {
+    wanted1.push_back(sample.rule.n1);
+    wanted5.push_back(sample.rule.n5);
+  }
+  const std::vector<double> zero(count, 0.0);
+  const std::vector<double> n1 = interpolate_jointly(samples->joint, wanted1, zero);
+  const std::vector<double> n5 = interpolate_jointly(samples->joint, wanted5, zero);
+
+  PolynomialFit result;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    const JointFit balanced = fit_jointly(samples->joint, mirror, joint);
+    if (!std::isfinite(balanced.objective))
+      return Error{fmt::format("brdf {}: no polynomial of degree {} keeps its lobes from turning "
+                               "inside out; try a higher --degree or a table",
+                               brdf.name, options.degree)};
+    mirror = balanced.unknowns;
+    JointFitOptions own = joint;
+    own.objective = options.objective;
+    result.polynomial =
+        pack(brdf, options.degree, fit_jointly(samples->joint, mirror, own).unknowns, n1, n5);
+    result.certificate = certify_determinant(result.polynomial);
+    if (result.certificate.lower_bound > 0) break;
+    joint.least_determinant *= 3;
+  }
+  if (!(result.certificate.lower_bound > 0))
+    return Error{
+        fmt::format("brdf {}: polynomials of degree {} could not be certified, A D - w B C "
+                    "reaches {:.2e}; try another --degree or a table",
+                    brdf.name, options.degree, result.certificate.smallest_seen)};
+  result.polynomial.metadata.brdf = brdf.name;
+  result.polynomial.metadata.variant = brdf.variant;
+  result.polynomial.metadata.objective = options.objective.name;
+  return result;
+}
+
+LobeFunction lobes_of(const LobePolynomial& polynomial) {
+  return [&polynomial](double roughness, double cos_theta) {
+    const double alpha = f64::alpha_from_roughness(roughness);
+    const double width = polynomial.width == brdf::LobeWidth::alpha ? alpha : 1.0;
+    return f64::eval_lobe_polynomial_of_width(polynomial.view(), alpha, width, cos_theta);
+  };
+}
+
+} // namespace openltc::fit

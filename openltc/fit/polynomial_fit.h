@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Lobes without a table: polynomials of roughness and view angle, fitted jointly.
+
+#pragma once
+
+#include "openltc/base/result.h"
+#include "openltc/brdf/brdf.h"
+#include "openltc/fit/certificate.h"
+#include "openltc/fit/error.h"
+#include "openltc/fit/objective.h"
+#include "openltc/table/lobe_polynomial.h"
+
+namespace openltc::fit {
+
+/// How polynomials are fitted.
+struct PolynomialFitOptions {
+  int degree = 4;   ///< total degree, table::LobePolynomial::k_min_degree to k_max_degree
+  int samples = 32; ///< per axis, at the midpoints of equal parts of roughness and sqrt(1 - cos)
+  QuadratureSize quadrature{20, 16};
+  Objective objective;
+};
+
+struct PolynomialFit {
+  table::LobePolynomial polynomial;
+  Certificate certificate; ///< of the stored coefficients; its lower bound is positive
+};
+
+/// Fits A B C D by the objective and n1, n5 by least squares. Coefficients are rounded to seven
+/// decimal digits. The result depends neither on the number of threads nor on the instruction set.
+///
+/// Fails with one line when the BRDF does (make_quadrature) and when no polynomial of this degree
+/// could be certified.
+Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFitOptions& options);
+
+/// The look-up of a polynomial, which must outlive the function.
+LobeFunction lobes_of(const table::LobePolynomial& polynomial);
+
+} // namespace openltc::fit

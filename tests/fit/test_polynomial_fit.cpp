@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Lobes without a table: their error, and the proof that none of them turns inside out.
+
+#include "openltc/fit/polynomial_fit.h"
+#include "openltc/target/shade_f64.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace openltc;
+
+namespace {
+
+const brdf::Brdf& ggx() { return *brdf::find_brdf("ggx"); }
+
+double mean_tv(const table::LobePolynomial& p, double from, double to) {
+  fit::MeasureOptions options;
+  options.roughness_from = from;
+  options.roughness_to = to;
+  return fit::measure_lobes(ggx(), fit::lobes_of(p), options)->mean.tv;
+}
+
+// Least A D - alpha B C on a grid, from the stored numbers by Chebyshev's recurrence in cosines.
+double least_on_grid(const table::LobePolynomial& p, int n) {
+  double least = 1e30;
+  for (int a = 0; a <= n; ++a) {
+    for (int b = 0; b <= n; ++b) {
+      const double x = 0.01 + 0.99 * a / n, y = double(b) / n;
+      const double s = std::acos(2 * x - 1), t = std::acos(2 * y - 1);
+      double c[4] = {};
+      int term = 0;
+      for (int j = 0; j <= p.degree; ++j)
+        for (int i = 0; i <= p.degree - j; ++i, ++term)
+          for (int k = 0; k < 4; ++k)
+            c[k] += double(p.term(term)[k]) * std::cos(i * s) * std::cos(j * t);
+      least = std::min(least, c[0] * c[3] - x * x * c[1] * c[2]);
+    }
+  }
+  return least;
+}
+
+} // namespace
+
+TEST_CASE("polynomials of degree 3 to 6: error and certificate") {
+  for (int degree = 3; degree <= 6; ++degree) {
+    fit::PolynomialFitOptions options;
+    options.degree = degree;
+    const Result<fit::PolynomialFit> fitted = fit::fit_polynomial(ggx(), options);
+    REQUIRE(fitted);
+    const table::LobePolynomial& p = fitted->polynomial;
+    CHECK(p.coefficients.size() == std::size_t(table::polynomial_terms(degree)) * 8);
+    const double rough = mean_tv(p, 0.06, 1), sharp = mean_tv(p, 0.01, 0.06);
+    MESSAGE("degree ", degree, ": mean TV ", rough, ", low roughness ", sharp,
+            ", determinant at least ", fitted->certificate.lower_bound, " by ",
+            fitted->certificate.boxes, " boxes");
+    CHECK(rough < (degree == 3 ? 0.050 : 0.045));
+    CHECK(sharp < (degree == 3 ? 0.014 : 0.0070));
+    // The bound is proven, so no value lies below it, and sharp, so one comes close.
+    const double seen = least_on_grid(p, 300);
+    CHECK(fitted->certificate.lower_bound > 0);
+    CHECK(seen >= fitted->certificate.lower_bound);
+    CHECK(fitted->certificate.lower_bound > 0.8 * fitted->certificate.smallest_seen);
+    CHECK(fitted->certificate.smallest_seen >= fitted->certificate.lower_bound);
+  }
+}
+
+TEST_CASE("the certificate denies what is not so") {
+  Result<fit::PolynomialFit> fitted = fit::fit_polynomial(ggx(), {});
+  REQUIRE(fitted);
+  table::LobePolynomial& p = fitted->polynomial;
+  p.term(0)[3] -= 0.02f; // D a little too small: wrong only near grazing angles
+  const fit::Certificate denied = fit::certify_determinant(p);
+  CHECK(least_on_grid(p, 300) < 0);
+  CHECK(denied.lower_bound < 0);
+  CHECK(denied.smallest_seen < 0);
+}
+
+TEST_CASE("polynomial amplitudes are albedos") {
+  const Result<fit::PolynomialFit> fitted = fit::fit_polynomial(ggx(), {});
+  REQUIRE(fitted);
+  const fit::LobeFunction lobes = fit::lobes_of(fitted->polynomial);
+  double mean1 = 0, mean5 = 0;
+  int count = 0;
+  for (double roughness = 0.03; roughness < 1; roughness += 0.06) {
+    for (double y = 0.03; y < 1; y += 0.06) {
+      const double c = 1 - y * y;
+      const fit::Quadrature q = *fit::make_quadrature(ggx(), roughness, c, {20, 20});
+      mean1 += std::abs(lobes(roughness, c).n1 - q.n1);
+      mean5 += std::abs(lobes(roughness, c).n5 - q.n5);
+      ++count;
+    }
+  }
+  MESSAGE("mean error of n1 ", mean1 / count, ", of n5 ", mean5 / count);
+  CHECK(mean1 / count < 0.012);
+  CHECK(mean5 / count < 0.012);
+}
+
+TEST_CASE("wrong degrees and wrong BRDFs are refused in one line") {
+  for (const int degree : {-1, 0, 2, 7}) {
+    fit::PolynomialFitOptions options;
+    options.degree = degree;
+    const Result<fit::PolynomialFit> fitted = fit::fit_polynomial(ggx(), options);
+    REQUIRE_FALSE(fitted);
+    CHECK(fitted.error().message.find("degree") != std::string::npos);
+  }
+  const auto nothing =
+      brdf::brdf_from_function("nothing", [](Vec3d, Vec3d, double) { return 0.0; });
+  const Result<fit::PolynomialFit> fitted = fit::fit_polynomial(nothing, {});
+  REQUIRE_FALSE(fitted);
+  CHECK(fitted.error().message.find("reflects nothing") != std::string::npos);
+}
