@@ -17,19 +17,21 @@ namespace openltc::table {
 namespace {
 
 struct Language {
-  const char* value;      // declares a constant
-  const char* suffix;     // of a literal
-  const char* math;       // before sqrt, max and min
-  const char* math_after; // behind them
-  const char* result;     // declares the result
+  const char* value;  // declares a constant
+  const char* suffix; // of a literal
+  const char* sqrt;
+  const char* max;
+  const char* min;
+  const char* result; // declares the result
 };
 
 const Language& words_of(SourceLanguage language) {
-  static const Language words[] = {{"const float ", "f", "", "f", "struct OpenltcLobe lobe;"},
-                                   {"float ", "", "", "", "OpenltcLobe lobe;"},
-                                   {"float ", "", "", "", "OpenltcLobe lobe;"},
-                                   {"let ", "", "", "", "var lobe: OpenltcLobe;"},
-                                   {"const ", "", "Math.", "", "const lobe = {};"}};
+  static const Language words[] = {
+      {"const float ", "f", "sqrtf", "fmaxf", "fminf", "struct OpenltcLobe lobe;"},
+      {"float ", "", "sqrt", "max", "min", "OpenltcLobe lobe;"},
+      {"float ", "", "sqrt", "max", "min", "OpenltcLobe lobe;"},
+      {"let ", "", "sqrt", "max", "min", "var lobe: OpenltcLobe;"},
+      {"const ", "", "Math.sqrt", "Math.max", "Math.min", "const lobe = {};"}};
   return words[int(language)];
 }
 
@@ -58,12 +60,12 @@ public:
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text + words_.suffix;
   }
-  std::string call(const char* function, const std::string& arguments) const {
-    return fmt::format("{}{}{}({})", words_.math, function, words_.math_after, arguments);
+  std::string sqrt(const std::string& x) const { return fmt::format("{}({})", words_.sqrt, x); }
+  std::string max(const std::string& a, const std::string& b) const {
+    return fmt::format("{}({}, {})", words_.max, a, b);
   }
-  std::string clamped(const std::string& value, const std::string& low,
-                      const std::string& high) const {
-    return call("min", call("max", value + ", " + low) + ", " + high);
+  std::string clamped(const std::string& x, const std::string& low, const std::string& high) const {
+    return fmt::format("{}({}, {})", words_.min, max(x, low), high);
   }
   void line(const std::string& text) { out_ += "  " + text + "\n"; }
   void value(const std::string& name, const std::string& expression) {
@@ -121,13 +123,13 @@ std::string channel_sum(const Writer& w, const LobePolynomial& polynomial, int c
 
 std::string body(const LobePolynomial& polynomial, SourceLanguage language) {
   Writer w(language);
-  // "roughness * roughness" may be below what single precision carries; see k_min_alpha.
   const std::string zero = w.number(0), one = w.number(1), two = w.number(2);
+  const std::string half = w.number(0.5), tiny = w.number(1e-30);
   w.value("alpha", w.clamped("roughness * roughness", w.number(1e-4), one));
   w.value("cos_o", w.clamped("cos_theta", zero, one));
-  w.value("sin_o", w.call("sqrt", one + " - cos_o * cos_o"));
-  w.value("u1", two + " * " + w.call("sqrt", "alpha") + " - " + one);
-  w.value("v1", two + " * " + w.call("sqrt", one + " - cos_o") + " - " + one);
+  w.value("sin_o", w.sqrt(one + " - cos_o * cos_o"));
+  w.value("u1", two + " * " + w.sqrt("alpha") + " - " + one);
+  w.value("v1", two + " * " + w.sqrt(one + " - cos_o") + " - " + one);
   write_products(w, polynomial.degree);
   const char* channels[] = {"a", "b", "c", "d", "n1", "n5"};
   for (int k = 0; k < 6; ++k)
@@ -137,10 +139,10 @@ std::string body(const LobePolynomial& polynomial, SourceLanguage language) {
   w.field("m02", "a * sin_o + alpha * b * cos_o");
   w.field("m20", "alpha * (c * cos_o - d * sin_o)");
   w.field("m22", "alpha * (c * sin_o + d * cos_o)");
-  w.field("det", w.call("max", "alpha * (a * d - alpha * b * c), " + w.number(1e-30)));
-  const std::string length2 = "lobe.m00 * lobe.m00 + lobe.m20 * lobe.m20";
-  w.field("share", fmt::format("{} + {} * lobe.m00 / {}", w.number(0.5), w.number(0.5),
-                               w.call("sqrt", w.call("max", length2 + ", " + w.number(1e-30)))));
+  w.field("det", w.max("alpha * (a * d - alpha * b * c)", tiny));
+  w.value("length2", "lobe.m00 * lobe.m00 + lobe.m20 * lobe.m20");
+  w.field("share",
+          fmt::format("{} + {} * lobe.m00 / {}", half, half, w.sqrt(w.max("length2", tiny))));
   w.field("n1", w.clamped("n1", zero, one));
   w.field("n5", w.clamped("n5", zero, "lobe.n1"));
   w.line("return lobe;");

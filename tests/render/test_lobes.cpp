@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Where lobes come from, and that none of their light is lost below the horizon.
+
+#include "openltc/render/camera_rays.h"
+#include "openltc/render/renderer.h"
+#include "openltc/target/shade_f64.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace openltc;
+
+namespace {
+
+const scene::Camera k_camera = test::look_at({0, 0.5f, 2.5f}, {0, 0, 0}, 1.0f);
+
+// A mirror-white metal floor inside a box of five lights of radiance 1, those at the sides reaching
+// below the floor.
+scene::Scene furnace(float roughness) {
+  scene::Scene scene;
+  test::add_floor(scene, 2, 0, test::glossy_material({1, 1, 1}, roughness, true));
+  const auto add = [&](Vec3f center, Vec3f u, Vec3f v) {
+    light::PolygonLight light;
+    light.vertices = {center - u * 6.0f - v * 6.0f, center + u * 6.0f - v * 6.0f,
+                      center + u * 6.0f + v * 6.0f, center - u * 6.0f + v * 6.0f};
+    light.ring_end = {4};
+    light.normal = cross(u, v);
+    light.radiance = Vec3f(1);
+    scene.lights.polygons.push_back(light);
+  };
+  const Vec3f x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  add(y * 6.0f, x, z);
+  add(x * 6.0f, z, y);
+  add(x * -6.0f, y, z);
+  add(z * 6.0f, y, x);
+  add(z * -6.0f, x, y);
+  for (const light::PolygonLight& light : scene.lights.polygons)
+    REQUIRE(dot(light.normal, light.vertices[0] + light.vertices[2]) < 0);
+  return scene;
+}
+
+render::RenderOptions still(const char* kernel = "auto") {
+  render::RenderOptions options;
+  options.width = 32;
+  options.height = 24;
+  options.samples = 1;
+  options.shadow_samples = 0;
+  options.kernel = kernel;
+  return options;
+}
+
+} // namespace
+
+TEST_CASE("white furnace: a white metal reflects its albedo n1 at every pixel, from either form") {
+  const render::LobeSource sources[] = {table::builtin_ggx_table(),
+                                        table::builtin_ggx_polynomial()};
+  for (const float roughness : {0.05f, 0.2f, 0.5f, 1.0f})
+    for (const render::LobeSource& lobes : sources)
+      for (const char* kernel : {"scalar", "auto"}) {
+        const render::RenderOptions options = still(kernel);
+        auto picture = render::render(furnace(roughness), k_camera, lobes, options);
+        REQUIRE(picture.ok());
+        const render::CameraRays rays(k_camera, options.width, options.height);
+        double worst = 0;
+        int pixels = 0;
+        for (int y = 0; y < options.height; ++y)
+          for (int x = 0; x < options.width; ++x) {
+            const render::CameraRay ray = rays.ray(float(x) + 0.5f, float(y) + 0.5f);
+            const float t = -ray.origin.y / ray.direction.y;
+            const Vec3f hit = ray.origin + ray.direction * t;
+            if (t < 0 || std::max(std::abs(hit.x), std::abs(hit.z)) > 1.99f) continue;
+            const double cos_theta = -double(ray.direction.y) / double(length(ray.direction));
+            const double alpha = f64::alpha_from_roughness(double(roughness));
+            const f64::FittedLobe fitted =
+                lobes.polynomial.coefficients
+                    ? f64::eval_lobe_polynomial(lobes.polynomial, alpha, cos_theta)
+                    : f64::fetch_lobe(lobes.table, alpha, cos_theta);
+            worst = std::max(worst, std::abs(double(picture->radiance.pixel(x, y)[0]) - fitted.n1));
+            ++pixels;
+          }
+        CHECK(pixels > 200);
+        CAPTURE(roughness);
+        CHECK(worst < 1e-4);
+      }
+}
+
+TEST_CASE("a polynomial makes nearly the picture of the table it was fitted to, in every kernel") {
+  scene::Scene scene;
+  test::add_floor(scene, 5, 0, test::glossy_material({0.5f, 0.5f, 0.5f}, 0.3f, false));
+  test::add_sphere(scene, {0, 0.5f, 0}, 0.5f,
+                   test::glossy_material({0.9f, 0.6f, 0.3f}, 0.4f, true));
+  scene.lights.polygons.push_back(test::ceiling_rectangle(-1, -1, 1, 1, 2, 10));
+  const auto rendered = [&](const render::LobeSource& lobes, const char* kernel) {
+    auto picture = render::render(scene, k_camera, lobes, still(kernel));
+    REQUIRE(picture.ok());
+    return std::move(picture->radiance);
+  };
+  const image::Image of_table = rendered(table::builtin_ggx_table(), "scalar");
+  const image::Image scalar = rendered(table::builtin_ggx_polynomial(), "scalar");
+  double difference = 0, total = 0;
+  for (std::size_t i = 0; i < scalar.data.size(); ++i) {
+    difference += std::abs(double(scalar.data[i]) - double(of_table.data[i]));
+    total += double(of_table.data[i]);
+  }
+  MESSAGE("mean difference from the table's picture " << difference / total);
+  CHECK(difference > 0);
+  CHECK(difference / total < 0.05);
+  for (const char* name : {"sse4", "avx2", "avx512", "neon"}) {
+    if (!render::kernel_by_name(name).shade) continue;
+    const image::Image lanes = rendered(table::builtin_ggx_polynomial(), name);
+    for (std::size_t i = 0; i < scalar.data.size(); ++i)
+      CHECK(std::abs(lanes.data[i] - scalar.data[i]) < 2e-3f * (std::abs(scalar.data[i]) + 0.05f));
+  }
+}
