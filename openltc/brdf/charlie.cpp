@@ -17,6 +17,8 @@
 // alpha 0.02 (roughness 0.14), where D is 3e-8 of its height even for the steepest half vector that
 // normal incidence allows, alpha stays 0.02: nobody sees a difference, and the fitter finds a lobe.
 
+#include "openltc/brdf/charlie.h"
+
 #include "openltc/brdf/entries.h"
 #include "openltc/target/shade_f64.h"
 
@@ -29,7 +31,22 @@ namespace {
 
 constexpr double k_min_sheen_alpha = 0.02;
 
-double lambda(double cosine, double alpha) {
+BrdfValue eval_charlie(Vec3d wo, Vec3d wi, double roughness) {
+  const double alpha = std::max(roughness * roughness, k_min_sheen_alpha);
+  const Vec3d h = normalize(wo + wi);
+  const double g2 = 1 / (1 + charlie_lambda(wo.z, alpha) + charlie_lambda(wi.z, alpha));
+  // cos_i cancels.
+  return {charlie_distribution(h, alpha) * g2 / (4 * std::max(wo.z, f64::k_tiny)), 0};
+}
+
+} // namespace
+
+double charlie_distribution(Vec3d h, double alpha) {
+  const double sine = std::hypot(h.x, h.y);
+  return (2 + 1 / alpha) * f64::k_half_inv_pi * std::pow(sine, 1 / alpha);
+}
+
+double charlie_lambda(double cosine, double alpha) {
   const double p = (1 - alpha) * (1 - alpha);
   const double a = 21.5473 + p * (25.3245 - 21.5473);
   const double b = 3.82987 + p * (3.32435 - 3.82987);
@@ -39,17 +56,6 @@ double lambda(double cosine, double alpha) {
   const auto l = [&](double x) { return a / (1 + b * std::pow(x, c)) + d * x + e; };
   return std::exp(cosine < 0.5 ? l(cosine) : 2 * l(0.5) - l(1 - std::min(cosine, 1.0)));
 }
-
-BrdfValue eval_charlie(Vec3d wo, Vec3d wi, double roughness) {
-  const double alpha = std::max(roughness * roughness, k_min_sheen_alpha);
-  const Vec3d h = normalize(wo + wi);
-  const double sine = std::hypot(h.x, h.y);
-  const double d = (2 + 1 / alpha) * f64::k_half_inv_pi * std::pow(sine, 1 / alpha);
-  const double g2 = 1 / (1 + lambda(wo.z, alpha) + lambda(wi.z, alpha));
-  return {d * g2 / (4 * std::max(wo.z, f64::k_tiny)), 0}; // cos_i cancels
-}
-
-} // namespace
 
 Brdf make_charlie() {
   return {"charlie",

@@ -9,9 +9,8 @@
 // Axes. At small alpha all that happens lies where mu = cos theta is comparable with alpha; at both
 // ends of it the albedo is no polynomial (it goes like mu log mu near 0). So the second axis is
 //   y = 1/(1 + R^(-1/3)),  R = mu (1 + alpha)/(alpha (1 - mu)),
-// 0..1 for every alpha, in which both ends are flat to third order. The first axis is
-// roughness from that of the least alpha.
-// In between, cubic Lagrange interpolation along each axis.
+// 0..1 for every alpha, in which both ends are flat to third order. The first axis is roughness,
+// from that of the least alpha to 1. In between, cubic Lagrange interpolation along each axis.
 
 #include "openltc/brdf/ggx_albedo.h"
 
