@@ -129,7 +129,7 @@ double ggx_albedo(double cos_o, double roughness) {
     for (int j = 0; j < 4; ++j)
       sum +=
           x.weight[i] * y.weight[j] * table[std::size_t((x.first + i) * k_columns + y.first + j)];
-  return sum;
+  return std::min(sum, 1.0);
 }
 
 } // namespace openltc::brdf

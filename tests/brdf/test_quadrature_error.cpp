@@ -24,9 +24,11 @@ struct Bound {
 // What the rule reaches; a crease of a model (phong, oren-nayar, eon) limits it to slow
 // convergence, and the short tails of beckmann and blinn leave it few points when the view grazes.
 const Bound k_bounds[] = {
-    {"ggx", 1, 1, 1},   {"ggx-separable", 1, 1, 1}, {"ggx-ms", 1, 1, 1}, {"beckmann", 1, 1, 1},
-    {"blinn", 1, 1, 1}, {"phong", 1, 1, 1},         {"burley", 1, 1, 1}, {"oren-nayar", 1, 1, 1},
-    {"eon", 1, 1, 1},   {"charlie", 1, 1, 1},
+    {"ggx", 1e-6, 1e-5, 2e-5},     {"ggx-separable", 1e-6, 1e-5, 2e-5},
+    {"ggx-ms", 1e-6, 1e-5, 2e-5},  {"beckmann", 4e-3, 1.1e-2, 3.5e-2},
+    {"blinn", 4e-3, 1e-2, 2.5e-2}, {"phong", 2.5e-3, 8e-3, 1e-2},
+    {"burley", 1e-6, 3e-5, 1e-4},  {"oren-nayar", 4e-4, 5e-4, 7e-4},
+    {"eon", 1e-3, 3e-3, 4e-3},     {"charlie", 1e-5, 5e-5, 1e-3},
 };
 
 } // namespace
