@@ -3,28 +3,30 @@
 
 #include "openltc/brdf/brdf.h"
 
-#include "openltc/target/shade_f64.h"
+#include "openltc/brdf/entries.h"
 
-#include <array>
 #include <utility>
+#include <vector>
 
 namespace openltc::brdf {
 
 namespace {
 
-const std::array<Brdf, 1>& registry() {
-  static const std::array<Brdf, 1> entries = {Brdf{
-      "ggx",
-      "Trowbridge-Reitz, height-correlated Smith, F = 1",
-      "Walter, Marschner, Li, Torrance 2007; Heitz 2014 (shade/ggx.glsl)",
-      "alpha = roughness^2, the width of the distribution of normals",
-      LobeWidth::alpha,
-      [](Vec3d wo, Vec3d wi, double roughness) {
-        const f64::GgxTerms terms =
-            f64::eval_ggx_terms(wo, wi, f64::alpha_from_roughness(roughness));
-        return BrdfValue{terms.scale, terms.bias};
-      },
-  }};
+const std::vector<Brdf>& registry() {
+  static const std::vector<Brdf> entries = {
+      // Microfacet and glossy lobes: a mirror at roughness 0.
+      make_ggx(),
+      make_ggx_separable(),
+      make_ggx_ms(),
+      make_beckmann(),
+      make_blinn(),
+      make_phong(),
+      // Diffuse reflection and sheen.
+      make_burley(),
+      make_oren_nayar(),
+      make_eon(),
+      make_charlie(),
+  };
   return entries;
 }
 
