@@ -65,9 +65,9 @@ Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions&
     const double t = rim ? double(column) / (n - 1) : (column + 0.5) / n;
     return t * (0.7 + 0.3 * t);
   };
-  std::vector<double> scale;
+  std::vector<HalfVectors> half_vectors;
   for (int i = 0; i < columns; ++i)
-    scale.push_back(half_vector_scale(brdf, roughness_of(i, false)));
+    half_vectors.push_back(find_half_vectors(brdf, roughness_of(i, false)));
 
   Samples samples;
   samples.joint.resize(std::size_t(columns) * std::size_t(rows));
@@ -81,8 +81,9 @@ Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions&
     Vec4d start;
     for (int column = columns - 1; column >= 0; --column) {
       const std::size_t at = std::size_t(row) * std::size_t(columns) + std::size_t(column);
-      Result<Quadrature> rule = make_quadrature(brdf, roughness_of(column, rim), 1 - y * y,
-                                                scale[std::size_t(column)], options.quadrature);
+      Result<Quadrature> rule =
+          make_quadrature(brdf, roughness_of(column, rim), 1 - y * y,
+                          half_vectors[std::size_t(column)], options.quadrature);
       if (!rule) {
         failures[std::size_t(row)] = rule.error().message;
         return;

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -86,43 +87,65 @@ std::string direction_text(Vec3d v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
 }
 
+// A tail is short when it ends before this many times the lobe's scale: GGX's never does, that of
+// Beckmann, Phong or Blinn after about five.
+constexpr double k_short_tail = 30;
+
 } // namespace
 
-double half_vector_scale(const brdf::Brdf& brdf, double roughness) {
+HalfVectors find_half_vectors(const brdf::Brdf& brdf, double roughness) {
   // At normal incidence the lobe is round: d wi = 4 (wo.h) d h leaves one integral over r in (0,
   // 1), here on a scale of log r.
   constexpr int n = 192;
   constexpr double k_smallest = 1e-6;
+  // Of the greatest energy per step of log r: below it a tail is over.
+  constexpr double k_nothing = 1e-7;
   const double step = -std::log(k_smallest) / n;
-  double energy[n], sum = 0;
+  const auto slope = [&](int i) { return k_smallest * std::exp((i + 0.5) * step); };
+  double energy[n], sum = 0, most = 0;
   for (int i = 0; i < n; ++i) {
-    const double r = k_smallest * std::exp((i + 0.5) * step);
+    const double r = slope(i);
     const double inv = 1 / (1 + r * r);
     const Vec3d wi(2 * r * inv, 0, (1 - r * r) * inv);
     const double value = brdf.eval(Vec3d(0, 0, 1), wi, roughness).scale;
     energy[i] = value > 0 && std::isfinite(value) ? value * r * r * inv * inv : 0;
     sum += energy[i];
+    most = std::max(most, energy[i]);
   }
-  if (!(sum > 0)) return 0;
+  HalfVectors found;
+  if (!(sum > 0)) return found;
   double passed = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n && passed < 0.5 * sum; ++i) {
     passed += energy[i];
-    if (passed >= 0.5 * sum) return k_smallest * std::exp((i + 0.5) * step);
+    found.scale = slope(i);
   }
-  return 1;
+  int last = n - 1;
+  while (energy[last] < k_nothing * most)
+    --last;
+  found.reach = last < n - 2 ? slope(last) : 1.0;
+  return found;
 }
 
 Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
-                                   double scale, QuadratureSize size) {
+                                   HalfVectors half_vectors, QuadratureSize size) {
   Quadrature q;
   q.cos_theta = cos_theta;
   q.roughness = roughness;
   q.width = brdf.width == brdf::LobeWidth::alpha ? f64::alpha_from_roughness(roughness) : 1.0;
   const double sin_theta = std::sqrt(std::max(0.0, 1 - cos_theta * cos_theta));
   const double t = sin_theta / cos_theta;
-  const double s = scale > 0 ? scale : 1;
+  const double s = half_vectors.scale;
+  // A short tail ends before the horizon: most points go where it lives, the rest beyond, where
+  // only the fitted lobe is left. At an angle a lobe around the mirror direction reaches farther in
+  // slopes than at normal incidence, by 1/cos at most.
+  const double reach = half_vectors.reach < std::min(0.95, k_short_tail * s)
+                           ? 1.1 * half_vectors.reach / cos_theta
+                           : std::numeric_limits<double>::infinity();
+  const int inner = size.radial * 4 / 5;
   const Vec3d wo(sin_theta, 0, cos_theta);
-  const GaussRule& rule = gauss(size.radial);
+  const GaussRule& whole_rule = gauss(size.radial);
+  const GaussRule& inner_rule = gauss(inner);
+  const GaussRule& outer_rule = gauss(size.radial - inner);
 
   const std::size_t count = std::size_t(size.radial) * size.azimuths;
   const std::size_t padded =
@@ -139,8 +162,15 @@ Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, dou
     const double d_chi = f64::k_pi / size.azimuths;
     const Azimuth a = azimuth((j + 0.5) * d_chi, t, d_chi);
     const double v_max = std::asinh(a.r_max / s);
+    const double v_reach = std::asinh(std::min(reach, a.r_max) / s);
+    const bool split = v_reach < 0.7 * v_max;
     for (int i = 0; i < size.radial; ++i, ++at) {
-      const double growth = std::exp(v_max * rule.node[std::size_t(i)]);
+      const bool beyond = split && i >= inner;
+      const GaussRule& rule = beyond ? outer_rule : split ? inner_rule : whole_rule;
+      const std::size_t node = std::size_t(beyond ? i - inner : i);
+      const double from = beyond ? v_reach : 0,
+                   length = (beyond || !split ? v_max : v_reach) - from;
+      const double growth = std::exp(from + length * rule.node[node]);
       const double r = 0.5 * s * (growth - 1 / growth);
       const double inv = 1 / (1 + r * r);
       // wi = 2 (wo.h) h - wo with h = (r cos phi, r sin phi, 1) sqrt(inv)
@@ -148,7 +178,7 @@ Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, dou
       const double twice = 2 * o_dot * inv;
       const Vec3d wi(twice * r * a.cosine - sin_theta, twice * r * a.sine, twice - cos_theta);
       if (!(wi.z > 0)) continue; // the last bit of r_max
-      const double dr = 0.5 * s * (growth + 1 / growth) * v_max * rule.weight[std::size_t(i)];
+      const double dr = 0.5 * s * (growth + 1 / growth) * length * rule.weight[node];
       // Both halves of the domain: 2 * 4 (wo.h) r dr dphi / (1 + r^2)^(3/2).
       const double weight = 8 * o_dot * r * dr * a.weight * inv * inv;
       const brdf::BrdfValue value = brdf.eval(wo, wi, roughness);
@@ -181,7 +211,7 @@ Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, dou
 
 Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
                                    QuadratureSize size) {
-  return make_quadrature(brdf, roughness, cos_theta, half_vector_scale(brdf, roughness), size);
+  return make_quadrature(brdf, roughness, cos_theta, find_half_vectors(brdf, roughness), size);
 }
 
 } // namespace openltc::fit

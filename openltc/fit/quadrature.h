@@ -42,19 +42,21 @@ struct Quadrature {
   std::size_t size() const { return weight.size(); } ///< a multiple of k_block
 };
 
-/// The scale of half vectors, as slope tan(theta_h), that the rule's points crowd around: the
-/// median slope of the BRDF's reflection at normal incidence; alpha/sqrt(3)..alpha for GGX.
-/// 0 when the BRDF reflects nothing there.
-double half_vector_scale(const brdf::Brdf& brdf, double roughness);
+/// Where a BRDF's half vectors lie at normal incidence, as slopes tan(theta_h).
+struct HalfVectors {
+  double scale = 1; ///< the median of what is reflected: alpha/sqrt(3)..alpha for GGX
+  double reach = 1; ///< beyond it the tail holds nothing that counts; 1 is the horizon
+};
+HalfVectors find_half_vectors(const brdf::Brdf& brdf, double roughness);
 
-/// Rule for 0 < cos_theta <= 1. `scale` as half_vector_scale gives it.
+/// Rule for 0 < cos_theta <= 1, whose points crowd around the scale of `half_vectors`.
 ///
 /// Fails, with one line that names the directions, when the BRDF is NaN, infinite or negative
 /// somewhere, or reflects nothing. Error of n1 and n5: tests/fit/test_quadrature.cpp states it.
 Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
-                                   double scale, QuadratureSize size);
+                                   HalfVectors half_vectors, QuadratureSize size);
 
-/// The same with the scale found first.
+/// The same with the half vectors found first.
 Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
                                    QuadratureSize size);
 

@@ -48,7 +48,7 @@ struct Grid {
   const brdf::Brdf& brdf;
   const TableFitOptions& options;
   int columns, rows;
-  std::vector<double> scale; // half_vector_scale of each column
+  std::vector<HalfVectors> half_vectors; // find_half_vectors of each column
   std::vector<Node> nodes;
 
   double roughness(double column) const { return columns > 1 ? column / (columns - 1) : 1.0; }
@@ -64,7 +64,7 @@ Result<Quadrature> node_rule(const Grid& grid, int column, int row, Node& node) 
       row == 0 ? 1.0 : cosine_at(double(row) / (grid.rows - 1), grid.options.angle_axis);
   const auto rule_at = [&](double cos_theta) {
     return make_quadrature(grid.brdf, grid.roughness(column), cos_theta,
-                           grid.scale[std::size_t(column)], grid.options.quadrature);
+                           grid.half_vectors[std::size_t(column)], grid.options.quadrature);
   };
   const bool last = row == grid.rows - 1;
   Result<Quadrature> rule = rule_at(last ? grazing.lobe_cosine : c);
@@ -120,11 +120,11 @@ Result<std::vector<JointSample>> make_samples(const Grid& grid) {
   const int per_cell = std::max(2, 48 / grid.rows);
   const int across = grid.columns > 1 ? (grid.columns - 1) * per_cell : 1;
   const int along = (grid.rows - 1) * per_cell;
-  std::vector<double> scale;
+  std::vector<HalfVectors> half_vectors;
   for (int i = 0; i < across; ++i) {
     const double column = (i + 0.5) / per_cell;
-    scale.push_back(grid.columns > 1 ? half_vector_scale(grid.brdf, grid.roughness(column))
-                                     : grid.scale[0]);
+    half_vectors.push_back(grid.columns > 1 ? find_half_vectors(grid.brdf, grid.roughness(column))
+                                            : grid.half_vectors[0]);
   }
   std::vector<JointSample> samples(std::size_t(across) * std::size_t(along));
   std::vector<std::string> failures(samples.size());
@@ -134,7 +134,7 @@ Result<std::vector<JointSample>> make_samples(const Grid& grid) {
     JointSample& sample = samples[std::size_t(k)];
     Result<Quadrature> rule = make_quadrature(
         grid.brdf, grid.roughness(x), cosine_at(y / (grid.rows - 1), grid.options.angle_axis),
-        scale[std::size_t(k % across)], grid.options.quadrature);
+        half_vectors[std::size_t(k % across)], grid.options.quadrature);
     if (!rule) {
       failures[std::size_t(k)] = rule.error().message;
       return;
@@ -233,7 +233,7 @@ Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& optio
   Grid grid{brdf, options, brdf.has_parameter() ? options.size : 1, options.size, {}, {}};
   grid.nodes.resize(std::size_t(grid.columns) * std::size_t(grid.rows));
   for (int i = 0; i < grid.columns; ++i)
-    grid.scale.push_back(half_vector_scale(brdf, grid.roughness(i)));
+    grid.half_vectors.push_back(find_half_vectors(brdf, grid.roughness(i)));
 
   const bool refined =
       options.refine == Refine::on || (options.refine == Refine::automatic &&

@@ -52,7 +52,7 @@ FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alph
   }
 
   FittedLobe fitted;
-  fitted.lobe = lobe_from_mirror(abcd, max(width, Real(k_min_alpha)), c);
+  fitted.lobe = lobe_from_mirror(abcd, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
   fitted.lobe.det = max(fitted.lobe.det, Real(k_tiny));
   fitted.n1 = min(max(amplitudes.x, Real(0.0)), Real(1.0));
   fitted.n5 = min(max(amplitudes.y, Real(0.0)), fitted.n1);

@@ -25,8 +25,8 @@ struct Bound {
 // convergence, and the short tails of beckmann and blinn leave it few points when the view grazes.
 const Bound k_bounds[] = {
     {"ggx", 1e-6, 1e-5, 2e-5},     {"ggx-separable", 1e-6, 1e-5, 2e-5},
-    {"ggx-ms", 1e-6, 1e-5, 2e-5},  {"beckmann", 4e-3, 1.1e-2, 3.5e-2},
-    {"blinn", 4e-3, 1e-2, 2.5e-2}, {"phong", 2.5e-3, 8e-3, 1e-2},
+    {"ggx-ms", 1e-6, 1e-5, 2e-5},  {"beckmann", 2e-4, 1.1e-2, 3.5e-2},
+    {"blinn", 2e-4, 9e-3, 2.2e-2}, {"phong", 2.5e-3, 8e-3, 1e-2},
     {"burley", 1e-6, 3e-5, 1e-4},  {"oren-nayar", 4e-4, 5e-4, 7e-4},
     {"eon", 1e-3, 3e-3, 4e-3},     {"charlie", 1e-5, 5e-5, 1e-3},
 };
