@@ -25,7 +25,7 @@ struct LightFamily {
   double roughness_from = 0.06, roughness_to = 1;
   double theta_to_degrees = 89.7;
   table::AngleAxis angle_axis = table::AngleAxis::theta;
-  double distance_from = 0.5, distance_to = 3;
+  double distance_from = 1, distance_to = 4;
   double side_from = 0.2, side_to = 4;
 };
 
