@@ -136,18 +136,19 @@ double round_step(double range, int count) {
 }
 
 // A vertical colour bar: labels from bottom to top.
-std::string bar(image::Colormap map, const std::vector<std::pair<double, std::string>>& labels) {
+std::string vertical_bar(image::Colormap map,
+                         const std::vector<std::pair<double, std::string>>& labels) {
   Bytes indices;
   for (int i = 0; i < 64; ++i)
     indices.push_back(palette_index(1 - i / 63.0));
-  std::string svg = "<svg class=\"bar\" viewBox=\"0 0 62 222\" width=\"62\" height=\"222\" "
+  std::string svg = "<svg class=\"bar\" viewBox=\"0 0 74 176\" width=\"74\" height=\"176\" "
                     "role=\"img\" aria-label=\"colour scale\">";
-  svg += fmt::format("<image x=\"4\" y=\"8\" width=\"12\" height=\"180\" "
+  svg += fmt::format("<image x=\"4\" y=\"8\" width=\"10\" height=\"160\" "
                      "preserveAspectRatio=\"none\" href=\"{}\"/>",
                      png_uri(indices, 1, 64, map));
   for (const auto& [t, text] : labels) {
-    const double y = 188 - 180 * t;
-    svg += line(16, y, 20, y, "tick") + label_at(23, y + 3.5, "label", text);
+    const double y = 168 - 160 * t;
+    svg += line(14, y, 18, y, "tick") + label_at(21, y + 3.5, "label", text);
   }
   return svg + "</svg>";
 }
@@ -214,14 +215,14 @@ std::string html_number(double x) {
 std::string heat_map(const ErrorMap& map, const MeasureOptions& region, const LobeErrorField& field,
                      double top, std::size_t region_index, std::size_t candidate_index,
                      const std::string& label) {
-  constexpr double left = 38, upper = 8, side = 180;
+  constexpr double left = 46, upper = 6, side = 180;
   const auto columns = map.columns(), rows = map.rows();
   Bytes indices;
   for (std::size_t row = rows; row-- > 0;) // grazing angles on top
     for (std::size_t column = 0; column < columns; ++column)
       indices.push_back(palette_index(map.at(column, row).*field.member / top));
   std::string svg = fmt::format(
-      "<svg class=\"map\" viewBox=\"0 0 226 222\" width=\"226\" height=\"222\" role=\"img\" "
+      "<svg class=\"map\" viewBox=\"0 0 240 222\" width=\"240\" height=\"222\" role=\"img\" "
       "aria-label=\"{}\" data-region=\"{}\" data-candidate=\"{}\" data-field=\"{}\">",
       html_text(label), region_index, candidate_index, field.name);
   svg += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
@@ -258,11 +259,20 @@ std::string heat_map(const ErrorMap& map, const MeasureOptions& region, const Lo
 }
 
 std::string color_bar(double top) {
-  std::vector<std::pair<double, std::string>> labels;
+  std::string svg = "<svg class=\"bar\" viewBox=\"0 0 240 36\" width=\"240\" height=\"36\" "
+                    "role=\"img\" aria-label=\"colour scale\">";
+  Bytes indices;
+  for (int i = 0; i < 64; ++i)
+    indices.push_back(palette_index(i / 63.0));
+  svg += fmt::format("<image x=\"46\" y=\"2\" width=\"180\" height=\"10\" "
+                     "preserveAspectRatio=\"none\" href=\"{}\"/>",
+                     png_uri(indices, 64, 1, image::Colormap::magma));
   const double step = round_step(top, 4);
-  for (double v = 0; v <= top * 1.0001; v += step)
-    labels.emplace_back(v / top, fmt::format("{:.3g}", v));
-  return bar(image::Colormap::magma, labels);
+  for (double v = 0; v <= top * 1.0001; v += step) {
+    const double x = 46 + 180 * v / top;
+    svg += line(x, 12, x, 16, "tick") + label_at(x, 28, "label middle", fmt::format("{:.3g}", v));
+  }
+  return svg + "</svg>";
 }
 
 std::string lobe_disc(const LobePicture& picture, const WorstCell& cell, const std::string& label) {
@@ -298,12 +308,12 @@ std::string lobe_disc(const LobePicture& picture, const WorstCell& cell, const s
 }
 
 std::string disc_color_bar() {
-  return bar(image::Colormap::viridis,
-             {{0, "≤ 1/1000"}, {1 / 3.0, "1/100"}, {2 / 3.0, "1/10"}, {1, "peak"}});
+  return vertical_bar(image::Colormap::viridis,
+                      {{0, "≤ 1/1000"}, {1 / 3.0, "1/100"}, {2 / 3.0, "1/10"}, {1, "peak"}});
 }
 
 std::string lobe_cuts(const WorstCell& cell) {
-  constexpr double left = 36, upper = 8, width = 300, height = 138;
+  constexpr double left = 36, upper = 8, width = 300, height = 130;
   const double low = cell.cut_degrees.front(), high = cell.cut_degrees.back();
   double top = cell.peak;
   for (const double v : cell.brdf.cut)
@@ -312,7 +322,7 @@ std::string lobe_cuts(const WorstCell& cell) {
     for (const double v : lobe.cut)
       top = std::max(top, v);
   top = std::min(top, 3 * cell.peak) * 1.05 / cell.peak;
-  std::string svg = "<svg class=\"cut\" viewBox=\"0 0 344 184\" width=\"344\" height=\"184\" "
+  std::string svg = "<svg class=\"cut\" viewBox=\"0 0 344 176\" width=\"344\" height=\"176\" "
                     "role=\"img\" aria-label=\"density in the plane of incidence\">";
   const double y_step = round_step(top, 4);
   for (double v = 0; v <= top; v += y_step) {

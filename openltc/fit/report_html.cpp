@@ -20,12 +20,12 @@ struct Row {
   const char* meaning;
 };
 constexpr Row k_rows[] = {
-    {"tv", "TV", "total variation: share of the energy in the wrong place"},
+    {"tv", "TV", "share of energy misplaced"},
     {"l1", "L1", "over the hemisphere"},
-    {"l2", "L2", "relative to the BRDF’s"},
-    {"l3", "L3", "relative to the BRDF’s"},
-    {"peak", "peak", "brightest point, relative"},
-    {"leak", "leak", "share of the lobe below the surface"},
+    {"l2", "L2", "relative to ρ/E"},
+    {"l3", "L3", "relative to ρ/E"},
+    {"peak", "peak", "of the brightest point"},
+    {"leak", "leak", "share of D below the surface"},
     {"n1", "n1", "albedo for F = 1, absolute"},
     {"n5", "n5", "its Schlick part, absolute"},
 };
@@ -67,7 +67,7 @@ std::string column_head(const Report& report, const std::vector<const char*>& na
   for (std::size_t c = 0; c < report.candidates.size(); ++c) {
     for (std::size_t k = 0; k < names.size(); ++k)
       text += fmt::format("<th{}>{}</th>", k == 0 ? " class=\"first\"" : "", names[k]);
-    if (c > 0) text += "<th>of the first</th>";
+    if (c > 0) text += "<th>vs. first</th>";
   }
   return text + "</tr>";
 }
@@ -154,25 +154,23 @@ double color_top(const RegionReport& region, const LobeErrorField& field) {
 
 std::string maps_of(const Report& report, std::size_t r) {
   const RegionReport& region = report.regions[r];
-  std::string text =
-      fmt::format("<div class=\"scroll\"><div class=\"maps\" style=\"grid-template-columns: "
-                  "max-content repeat({}, max-content) max-content\"><div></div>",
-                  report.candidates.size());
-  for (const CandidateReport& c : report.candidates)
-    text += fmt::format("<div class=\"head\">{}</div>", html_text(c.label));
-  text += "<div></div>";
-  for (const char* name : k_mapped) {
-    const LobeErrorField& field = field_of(name);
-    const Row& row = row_of(name);
-    const double top = color_top(region, field);
-    text += fmt::format("<div class=\"metric\"><strong>{}</strong><small>{}</small></div>",
-                        row.name, html_text(row.meaning));
-    for (std::size_t c = 0; c < report.candidates.size(); ++c)
-      text += heat_map(region.maps[c], region.region, field, top, r, c,
-                       fmt::format("{} of {} over roughness and view angle, {}", row.name,
+  std::string text = fmt::format("<div class=\"scroll\"><div class=\"maps\" style=\"grid-template-"
+                                 "columns: 92px repeat({}, max-content)\"><div></div>",
+                                 std::size(k_mapped));
+  for (const char* name : k_mapped)
+    text += fmt::format("<div class=\"head\">{}<small>{}</small></div>", row_of(name).name,
+                        html_text(row_of(name).meaning));
+  for (std::size_t c = 0; c < report.candidates.size(); ++c) {
+    text += "<div class=\"who\">" + html_text(report.candidates[c].label) + "</div>";
+    for (const char* name : k_mapped)
+      text += heat_map(region.maps[c], region.region, field_of(name),
+                       color_top(region, field_of(name)), r, c,
+                       fmt::format("{} of {} over roughness and view angle, {}", row_of(name).name,
                                    report.candidates[c].label, region.name));
-    text += color_bar(top);
   }
+  text += "<div></div>";
+  for (const char* name : k_mapped)
+    text += color_bar(color_top(region, field_of(name)));
   return text + "</div></div>";
 }
 
@@ -200,10 +198,10 @@ std::string worst_cell(const Report& report, const WorstCell& cell) {
           lobe_disc(cell.brdf, cell, "the BRDF’s lobe from above") + "</figure>";
   for (std::size_t c = 0; c < cell.lobes.size(); ++c) {
     text +=
-        fmt::format("<figure><figcaption><span class=\"key series{}\"></span>{}<small>TV {}, "
-                    "L2 {}, peak {}</small></figcaption>",
-                    c % 4, html_text(report.candidates[c].label), html_number(cell.errors[c].tv),
-                    html_number(cell.errors[c].l2), html_number(cell.errors[c].peak));
+        fmt::format("<figure><figcaption><span class=\"key series{}\"></span>{}<small>TV {:.3f} · "
+                    "L2 {:.3f} · peak {:.3f}</small></figcaption>",
+                    c % 4, html_text(report.candidates[c].label), cell.errors[c].tv,
+                    cell.errors[c].l2, cell.errors[c].peak);
     text +=
         lobe_disc(cell.lobes[c], cell, report.candidates[c].label + " from above") + "</figure>";
   }
@@ -290,7 +288,8 @@ std::string to_html(const Report& report) {
   page += "<p class=\"note\">" + line + "</p>\n" + metadata_of(report) + bound_text(report);
 
   page += "<h2>Figures</h2>\n<p>Measured between the nodes, through the look-up that shading uses. "
-          "Green and red factors compare a column’s mean with that of the first.</p>\n";
+          "The factors say how many times the first column’s mean another’s is: green where the "
+          "first is better.</p>\n";
   for (const RegionReport& region : report.regions) {
     const MeasureOptions& o = region.region;
     page += fmt::format("<h3>{}, view angle to {}°</h3>\n<p class=\"note\">{} × {} points at the "
@@ -308,8 +307,9 @@ std::string to_html(const Report& report) {
           "roughness and √(1−cos θ), whatever the packing.</p>\n" +
           light_table(report);
 
-  page += "<h2>Where the errors are</h2>\n<p>One colour scale per row, up to the 98th percentile; "
-          "brighter is worse. Point at a cell for its figures.</p>\n";
+  page +=
+      "<h2>Where the errors are</h2>\n<p>One colour scale per column, up to its 98th percentile; "
+      "brighter is worse. Point at a cell for its figures.</p>\n";
   for (std::size_t r = 0; r < report.regions.size(); ++r)
     page += "<h3>" + html_text(report.regions[r].name) + "</h3>\n" + maps_of(report, r) + "\n";
 

@@ -52,10 +52,11 @@ dt { color: var(--soft); } dd { margin: 0; overflow-wrap: anywhere; }
 .bound { background: var(--panel); border-left: 3px solid var(--series0); padding: 12px 18px;
   border-radius: 0 6px 6px 0; margin: 18px 0; }
 .bound p { margin: 4px 0; } .bound .formula { font-size: 18px; }
-.maps { display: grid; gap: 4px 18px; align-items: start; justify-content: start; }
-.maps .head { font-weight: 650; font-size: 13.5px; padding-left: 38px; }
-.maps .metric { align-self: center; font-size: 13.5px; max-width: 130px; }
-.maps .metric small { color: var(--soft); display: block; line-height: 1.35; }
+.maps { display: grid; gap: 2px 0; align-items: start; justify-content: start; }
+.maps .head { font-weight: 650; font-size: 13.5px; padding-left: 46px; }
+.maps .head small { color: var(--soft); font-weight: 400; display: block; }
+.maps .who { align-self: center; font-size: 13.5px; font-weight: 650; padding-bottom: 34px;
+  overflow-wrap: anywhere; line-height: 1.35; }
 svg { display: block; } svg image { image-rendering: pixelated; }
 svg.disc image { image-rendering: auto; } svg.bar image { image-rendering: auto; }
 svg .label { font: 11px system-ui, sans-serif; fill: var(--soft); }
@@ -124,8 +125,8 @@ inline constexpr char k_report_script[] = R"js(
     maps.forEach(function (other) {
       var c = other.querySelector(".cursor"), same = other.dataset.region === map.dataset.region;
       var w = 180 / columns, h = 180 / rows;
-      c.setAttribute("x", 38 + i * w - 1);
-      c.setAttribute("y", 8 + (rows - 1 - j) * h - 1);
+      c.setAttribute("x", 46 + i * w - 1);
+      c.setAttribute("y", 6 + (rows - 1 - j) * h - 1);
       c.setAttribute("width", same ? w + 2 : 0);
       c.setAttribute("height", same ? h + 2 : 0);
     });

@@ -12,7 +12,7 @@ namespace openltc::fit {
 
 namespace {
 
-constexpr std::size_t k_name_width = 8, k_column_width = 33;
+constexpr std::size_t k_name_width = 10, k_column_width = 33;
 
 // Characters on the screen: bytes that do not continue a UTF-8 sequence.
 std::size_t width_of(const std::string& text) {
@@ -31,9 +31,11 @@ std::string number(double x) {
 }
 
 std::string row(const std::string& name, const std::vector<std::string>& columns) {
-  std::string text = "  " + pad(name, k_name_width);
-  for (const std::string& column : columns)
-    text += " " + pad(column, k_column_width);
+  std::string text = pad(name, k_name_width);
+  for (const std::string& column : columns) {
+    text += ' ';
+    text += pad(column, k_column_width);
+  }
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
