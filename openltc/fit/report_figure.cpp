@@ -85,8 +85,9 @@ std::string base64(const Bytes& bytes) {
   return text;
 }
 
-// Palette entry 0 is transparent; 1..255 run along the colour map.
+// Palette entry 0 is transparent; 1..255 run along the colour map. What is not a number is 1.
 std::uint8_t palette_index(double t) {
+  if (!std::isfinite(t)) return 1;
   return std::uint8_t(1 + std::lround(254 * std::clamp(t, 0.0, 1.0)));
 }
 
@@ -343,7 +344,7 @@ std::string lobe_cuts(const WorstCell& cell) {
     std::string points;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double x = left + width * double(i) / double(values.size() - 1);
-      const double v = std::min(values[i] / cell.peak, top);
+      const double v = std::isfinite(values[i]) ? std::min(values[i] / cell.peak, top) : 0;
       points += fmt::format("{:.1f},{:.1f} ", x, upper + height * (1 - v / top));
     }
     return fmt::format("<polyline class=\"{}\" points=\"{}\"/>", style, points);

@@ -145,7 +145,8 @@ double color_top(const RegionReport& region, const LobeErrorField& field) {
   for (const ErrorMap& map : region.maps) {
     std::vector<double> values;
     for (const LobeError& e : map.cells)
-      values.push_back(e.*field.member);
+      if (std::isfinite(e.*field.member)) values.push_back(e.*field.member);
+    if (values.empty()) continue;
     std::sort(values.begin(), values.end());
     top = std::max(top, values[std::size_t(0.98 * double(values.size() - 1))]);
   }
@@ -188,6 +189,9 @@ std::string metadata_of(const Report& report) {
 
 std::string worst_cell(const Report& report, const WorstCell& cell) {
   const double bound = cell.albedo * cell.errors[cell.of].tv;
+  const auto three = [](double x) {
+    return std::isfinite(x) ? fmt::format("{:.3f}", x) : std::string("–");
+  };
   std::string text = fmt::format(
       "<article class=\"cell\"><header><strong>roughness {:.3g}, θ {:.3g}°</strong><span>worst of "
       "{}</span><span>E {}, so |error| ≤ {} L<sub>max</sub></span></header><div class=\"lobes\">",
@@ -198,10 +202,10 @@ std::string worst_cell(const Report& report, const WorstCell& cell) {
           lobe_disc(cell.brdf, cell, "the BRDF’s lobe from above") + "</figure>";
   for (std::size_t c = 0; c < cell.lobes.size(); ++c) {
     text +=
-        fmt::format("<figure><figcaption><span class=\"key series{}\"></span>{}<small>TV {:.3f} · "
-                    "L2 {:.3f} · peak {:.3f}</small></figcaption>",
-                    c % 4, html_text(report.candidates[c].label), cell.errors[c].tv,
-                    cell.errors[c].l2, cell.errors[c].peak);
+        fmt::format("<figure><figcaption><span class=\"key series{}\"></span>{}<small>TV {} · L2 "
+                    "{} · peak {}</small></figcaption>",
+                    c % 4, html_text(report.candidates[c].label), three(cell.errors[c].tv),
+                    three(cell.errors[c].l2), three(cell.errors[c].peak));
     text +=
         lobe_disc(cell.lobes[c], cell, report.candidates[c].label + " from above") + "</figure>";
   }
@@ -242,20 +246,22 @@ std::string cell_data(const Report& report) {
 }
 
 std::string bound_text(const Report& report) {
-  const TableError& e = report.regions[0].errors[0];
   const ErrorMap& map = report.regions[0].maps[0];
-  double largest = 0;
-  for (std::size_t i = 0; i < map.cells.size(); ++i)
-    largest = std::max(largest, map.albedo[i] * map.cells[i].tv);
+  double largest = 0, mean = 0;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const double bound = map.albedo[i] * map.cells[i].tv;
+    largest = std::max(largest, bound);
+    mean += bound / double(map.cells.size());
+  }
   return fmt::format(
       "<div class=\"bound\"><p class=\"formula\">|error| ≤ E · TV · L<sub>max</sub></p>"
       "<p>for any light, of any shape and texture, whose radiance does not exceed "
       "L<sub>max</sub>: total variation is a guarantee, not only a score. E is the BRDF’s albedo "
-      "for F = 1 at that roughness and view angle. For {} the bound is {} L<sub>max</sub> in the "
-      "mean of TV over {} (with E ≤ 1) and {} L<sub>max</sub> in the worst cell; each cell’s own "
-      "value stands under the pointer in the maps below and in the JSON report.</p></div>",
-      html_text(report.candidates[0].label), html_number(e.mean.tv),
-      html_text(report.regions[0].name), html_number(largest));
+      "for F = 1 at that roughness and view angle. For <em>{}</em> over {} the bound is {} "
+      "L<sub>max</sub> in the mean and {} L<sub>max</sub> in the worst cell; each cell’s own value "
+      "stands under the pointer in the maps below and follows from the JSON report.</p></div>",
+      html_text(report.candidates[0].label), html_text(report.regions[0].name), html_number(mean),
+      html_number(largest));
 }
 
 std::string family_text(const LightFamily& f) {

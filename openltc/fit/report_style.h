@@ -28,6 +28,7 @@ h2 { font-size: 20px; font-weight: 650; margin: 52px 0 10px; padding-top: 18px;
 h3 { font-size: 15px; font-weight: 650; margin: 26px 0 8px; }
 p { max-width: 76ch; margin: 8px 0; }
 .lead { color: var(--soft); font-size: 17px; margin: 0 0 18px; }
+sub { line-height: 0; }
 .note { color: var(--soft); font-size: 13.5px; }
 code, pre { font: 13px/1.5 ui-monospace, "SF Mono", "Cascadia Mono", Menlo, Consolas, monospace; }
 pre { background: var(--panel); border: 1px solid var(--rule); border-radius: 6px;

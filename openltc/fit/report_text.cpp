@@ -83,7 +83,7 @@ std::string to_text(const Report& report) {
   text += "mean second difference of M^-1 over the axes\n";
   text += row_of(report, "", [&](std::size_t c) {
     const std::optional<double>& d = report.candidates[c].second_difference;
-    return d ? fmt::format("{:7.2e}", *d) : std::string("      –");
+    return d && std::isfinite(*d) ? fmt::format("{:7.2e}", *d) : std::string("      –");
   });
   return text;
 }
