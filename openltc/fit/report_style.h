@@ -21,7 +21,7 @@ inline constexpr char k_report_style[] = R"css(
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink);
   font: 15px/1.55 system-ui, -apple-system, "Segoe UI", "Helvetica Neue", Arial, sans-serif; }
-main { max-width: 1120px; margin: 0 auto; padding: 48px 28px 80px; }
+main { max-width: 1260px; margin: 0 auto; padding: 48px 28px 80px; }
 h1 { font-size: 30px; line-height: 1.2; font-weight: 650; letter-spacing: -.01em; margin: 0 0 6px; }
 h2 { font-size: 20px; font-weight: 650; margin: 52px 0 10px; padding-top: 18px;
   border-top: 1px solid var(--rule); }
@@ -36,7 +36,7 @@ pre { background: var(--panel); border: 1px solid var(--rule); border-radius: 6p
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 13.5px;
   margin: 8px 0 14px; }
-th, td { text-align: right; padding: 3px 10px; white-space: nowrap; font-weight: 400; }
+th, td { text-align: right; padding: 3px 7px; white-space: nowrap; font-weight: 400; }
 thead th { color: var(--soft); font-size: 12.5px; vertical-align: bottom; }
 thead tr.group th { color: var(--ink); font-weight: 650; font-size: 13.5px; text-align: left;
   padding-top: 8px; white-space: normal; min-width: 150px; }
@@ -76,7 +76,7 @@ svg .series3 { stroke: var(--series3); stroke-dasharray: 2 3; }
 .cell header { display: flex; flex-wrap: wrap; gap: 2px 22px; align-items: baseline;
   margin-bottom: 8px; }
 .cell header strong { font-size: 15px; } .cell header span { color: var(--soft); font-size: 13px; }
-.lobes { display: flex; flex-wrap: wrap; gap: 10px 14px; align-items: flex-end; }
+.lobes { display: flex; flex-wrap: wrap; gap: 10px 8px; align-items: flex-end; }
 figure { margin: 0; } figcaption { font-size: 12.5px; max-width: 176px; line-height: 1.35;
   margin-bottom: 4px; }
 figcaption small { color: var(--soft); display: block; }
