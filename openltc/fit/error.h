@@ -1,33 +1,53 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// How far a table is from its BRDF, between the nodes, through the look-up that shading uses.
+// How far lobes are from their BRDF, between the nodes of a table or on them, through the look-up
+// that shading uses.
 
 #pragma once
 
 #include "openltc/brdf/brdf.h"
+#include "openltc/fit/horizon.h"
 #include "openltc/fit/quadrature.h"
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f64.h"
 
 #include <functional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace openltc::fit {
 
 /// Distances between a lobe D and rho/E at one view angle and roughness, both of integral 1.
+/// Read D / (1 - leak) for D where the horizon is clipped.
 struct LobeError {
-  double tv = 0;   ///< 1/2 integral over the sphere of |rho/E - D|, 0..1, leak included
+  double tv = 0;   ///< 1/2 integral over the sphere of |rho/E - D|, 0..1; lost leak included
   double l1 = 0;   ///< integral of |rho/E - D| over the hemisphere
   double l2 = 0;   ///< (integral of |..|^2)^(1/2) over that of rho/E
   double l3 = 0;   ///< (integral of |..|^3)^(1/3) over that of rho/E
   double peak = 0; ///< |max D / max rho/E - 1| over the quadrature's points
-  double leak = 0; ///< share of D below the surface's horizon
+  double leak = 0; ///< share of the lobe itself below the surface's horizon, whatever the reading
   double n1 = 0;   ///< |n1 of the table - E|
-  double n5 = 0;
+  double n5 = 0;   ///< the same for its Schlick-weighted part
 };
 
+/// One figure of a LobeError, for code that treats all alike.
+struct LobeErrorField {
+  const char* name;
+  double LobeError::*member;
+};
+
+/// All of them, in the order of the struct.
+std::span<const LobeErrorField> lobe_error_fields();
+
 /// Error of one lobe against a quadrature of its BRDF.
-LobeError measure_lobe(const Quadrature& quadrature, const f64::Lobe& lobe);
+LobeError measure_lobe(const Quadrature& quadrature, const f64::Lobe& lobe,
+                       Horizon horizon = Horizon::leaking);
+
+/// What a lobe is multiplied with before it is compared: 1, or one over its share above the
+/// surface's horizon.
+double horizon_scale(const f64::Lobe& lobe, Horizon horizon);
 
 /// Lobe and amplitudes for a roughness 0..1 and the cosine of the view angle, as shading reads
 /// them: a table with its interpolation, a polynomial, a file of another layout. Called from any
@@ -37,27 +57,80 @@ using LobeFunction = std::function<f64::FittedLobe(double roughness, double cos_
 /// The look-up of a native table, which must outlive the function.
 LobeFunction lobes_of(const table::LobeTable& table);
 
-/// Mean, 95th percentile and maximum of each over a region.
-struct TableError {
-  LobeError mean, p95, max;
-  double roughness_from = 0, roughness_to = 1, theta_to_degrees = 90;
-  int points = 0; ///< per axis
+/// Where lobes are measured: every roughness with every view angle.
+struct MeasureAxes {
+  std::vector<double> roughness;
+  std::vector<double> theta_degrees;
 };
+
+/// Errors over a grid of roughness and view angle, one cell each.
+struct ErrorMap {
+  MeasureAxes axes;
+  std::vector<LobeError> cells; ///< roughness fast, theta slow
+  std::vector<double> albedo;   ///< E of the BRDF in each cell: |error of a light| <= E TV L_max
+
+  std::size_t columns() const { return axes.roughness.size(); }
+  std::size_t rows() const { return axes.theta_degrees.size(); }
+  const LobeError& at(std::size_t column, std::size_t row) const {
+    return cells[row * columns() + column];
+  }
+};
+
+/// Mean, median, 95th percentile and maximum of each figure over a region.
+struct TableError {
+  LobeError mean, p95, max, median;
+  double roughness_from = 0, roughness_to = 1, theta_to_degrees = 90;
+  int points = 0; ///< per axis; of roughness where the axes differ
+};
+
+/// Statistics of a map, every cell counted once. The bounds are those of the map's own axes.
+TableError summarise(const ErrorMap& map);
 
 /// Mean |second difference| of A B C D over the whole table, along both axes.
 double mean_second_difference(const table::LobeTable& table);
 
-/// The region over which a table is measured.
+/// Roughness of lobes over both axes, whatever their packing: mean |second difference| of m00 m02
+/// m20 m22 (M^-1 with middle element 1) between `points` x `points` samples, equidistant in
+/// roughness and sqrt(1 - cos theta) from 0 to 1. `points` >= 3; 64 are the nodes of the tables
+/// that engines use.
+double mean_second_difference(const LobeFunction& lobes, int points = 64);
+
+/// The region over which lobes are measured.
 struct MeasureOptions {
   double roughness_from = 0.06;
   double roughness_to = 1.0;
   double theta_to_degrees = 89.7;
-  int points = 40; ///< per axis, uniform in roughness and theta, at the midpoints of cells
+  int points = 40; ///< per axis, at the midpoints of cells, uniform in roughness and angle_axis
+  table::AngleAxis angle_axis = table::AngleAxis::theta;
   QuadratureSize quadrature{40, 32};
+  Horizon horizon = Horizon::leaking;
 };
 
-/// Measures lobes against their BRDF. Does not depend on the number of threads. Fails when the BRDF
-/// does (make_quadrature).
+/// The angle in degrees at share t of the way from 0 to `theta_to_degrees` along an axis that is
+/// uniform in theta or in sqrt(1 - cos theta).
+double theta_at(double t, double theta_to_degrees, table::AngleAxis axis);
+
+/// The midpoints of a region's cells.
+MeasureAxes midpoint_axes(const MeasureOptions& options);
+
+/// The nodes of a table that lie in a region: its columns and rows between the bounds.
+MeasureAxes node_axes(const table::LobeTable& table, const MeasureOptions& region);
+
+/// Lobes to be measured and how their horizon is read.
+struct MeasuredLobes {
+  std::string label; ///< for messages
+  LobeFunction lobes;
+  Horizon horizon = Horizon::leaking;
+};
+
+/// Measures several sets of lobes against one BRDF on the same axes and quadrature, one map each.
+/// Does not depend on the number of threads. Fails when the BRDF does (make_quadrature), when a
+/// lobe or amplitude is not finite, or when the axes are empty.
+Result<std::vector<ErrorMap>> measure_maps(const brdf::Brdf& brdf,
+                                           std::span<const MeasuredLobes> candidates,
+                                           const MeasureAxes& axes, QuadratureSize quadrature);
+
+/// Measures lobes against their BRDF over a region: summarise() of its map.
 Result<TableError> measure_lobes(const brdf::Brdf& brdf, const LobeFunction& lobes,
                                  const MeasureOptions& options);
 

@@ -54,6 +54,20 @@ Vector4 interpolate(const JointSample& sample, const Unknowns& unknowns) {
   return x;
 }
 
+// Adds weight * (what the determinant lacks of `least`, relative to it)^2; says whether it lacks.
+bool add_penalty(const JointSample& sample, const Vector4& x, double least, double weight,
+                 Local& local) {
+  const double width = sample.rule.width;
+  const double determinant = x[0] * x[3] - width * x[1] * x[2];
+  if (!(least > 0 && determinant < least)) return false;
+  const double missing = 1 - determinant / least;
+  const Vector4 slope = Vector4(-x[3], width * x[2], width * x[1], -x[0]) / least;
+  local.value += weight * missing * missing;
+  local.gradient += 2 * weight * missing * slope;
+  local.hessian += 2 * weight * slope * slope.transpose();
+  return true;
+}
+
 // The objective at one sample, weighted, with the penalty that keeps the determinant away from 0.
 Local evaluate_local(const JointSample& sample, const Vector4& x, const JointFitOptions& options) {
   Local local;
@@ -66,15 +80,7 @@ Local evaluate_local(const JointSample& sample, const Vector4& x, const JointFit
     for (int j = i; j < 4; ++j, ++k)
       local.hessian(i, j) = local.hessian(j, i) = sample.weight * at.hessian[k];
   }
-  const double width = sample.rule.width;
-  const double missing = 1 - (x[0] * x[3] - width * x[1] * x[2]) / options.least_determinant;
-  if (options.least_determinant > 0 && missing > 0) {
-    const Vector4 slope =
-        Vector4(-x[3], width * x[2], width * x[1], -x[0]) / options.least_determinant;
-    local.value += missing * missing;
-    local.gradient += 2 * missing * slope;
-    local.hessian += 2 * slope * slope.transpose();
-  }
+  add_penalty(sample, x, options.least_determinant, 1.0, local);
   return local;
 }
 
@@ -183,16 +189,67 @@ JointFit fit_jointly(const std::vector<JointSample>& samples, std::vector<Vec4d>
 
 std::vector<Vec4d> project_jointly(const std::vector<JointSample>& samples,
                                    const std::vector<Vec4d>& best, int unknown_count,
-                                   const Objective& objective) {
-  JointFitOptions options;
-  options.objective = objective;
-  Locals locals(samples.size());
+                                   const JointFitOptions& options) {
+  // Times the objective: a norm's second derivatives grow where it is small, its square's do not.
+  Locals model(samples.size());
+  JointFitOptions plain = options;
+  plain.least_determinant = 0;
+  const Unknowns wanted = to_eigen(best);
   tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t s) {
-    const Vector4 x(best[s].x, best[s].y, best[s].z, best[s].w);
-    locals[s] = evaluate_local(samples[s], x, options);
-    locals[s].gradient = -locals[s].hessian * x;
+    model[s] = evaluate_local(samples[s], wanted[s], plain);
+    model[s].hessian *= model[s].value;
   });
-  return from_eigen(solve(samples, locals, 1e-9, std::size_t(unknown_count)));
+
+  // The quadratic model's minimum; while a determinant is too small there, damped steps on the
+  // model and a penalty, whose margin is wide, for the determinant of a narrow one jumps.
+  const std::size_t count = std::size_t(unknown_count);
+  const double margin = 50 * options.least_determinant;
+  Locals locals = model;
+  const auto evaluate = [&](const Unknowns& at, double weight, bool& lacking) {
+    double sum = 0;
+    lacking = false;
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+      const Vector4 x = interpolate(samples[s], at), away = x - wanted[s];
+      locals[s].hessian = model[s].hessian;
+      locals[s].gradient = model[s].hessian * away;
+      locals[s].value = 0.5 * away.dot(locals[s].gradient);
+      add_penalty(samples[s], x, margin, weight, locals[s]);
+      sum += locals[s].value;
+      const double determinant = x[0] * x[3] - samples[s].rule.width * x[1] * x[2];
+      lacking = lacking || !(determinant >= options.least_determinant);
+    }
+    return sum;
+  };
+  const auto moved = [](Unknowns from, const Unknowns& by) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      from[i] += by[i];
+    return from;
+  };
+  bool lacking = false;
+  Unknowns at(count, Vector4::Zero());
+  evaluate(at, 0, lacking);
+  at = moved(at, solve(samples, locals, 1e-9, count));
+  double weight = 1e-4, damping = 1e-3;
+  double value = evaluate(at, weight, lacking);
+  for (int step = 0; step < 60 && lacking; ++step) {
+    const Unknowns trial = moved(at, solve(samples, locals, damping, count));
+    bool still = false;
+    const double there = evaluate(trial, weight, still);
+    if (there < value) {
+      at = trial;
+      lacking = still;
+      damping = std::max(0.2 * damping, 1e-6);
+    } else {
+      damping *= 10;
+    }
+    if (damping > 1e3) { // a minimum of this weight: ask for more
+      damping = 1e-3;
+      weight *= 10;
+    }
+    bool unused = false;
+    value = evaluate(at, weight, unused);
+  }
+  return from_eigen(at);
 }
 
 std::vector<double> interpolate_jointly(const std::vector<JointSample>& samples,

@@ -50,10 +50,11 @@ JointFit fit_jointly(const std::vector<JointSample>& samples, std::vector<Vec4d>
                      const JointFitOptions& options);
 
 /// The unknowns whose interpolated coefficients come closest, in the metric of the objective's
-/// second derivatives there, to the best lobe of every sample by itself.
+/// second derivatives there, to the best lobe of every sample by itself, while every sample's
+/// determinant stays positive: where a joint fit can start.
 std::vector<Vec4d> project_jointly(const std::vector<JointSample>& samples,
                                    const std::vector<Vec4d>& best, int unknown_count,
-                                   const Objective& objective);
+                                   const JointFitOptions& options);
 
 /// Least squares of plain values through the same terms: sum of factor * unknown close to `values`.
 std::vector<double> interpolate_jointly(const std::vector<JointSample>& samples,

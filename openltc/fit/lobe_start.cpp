@@ -36,9 +36,9 @@ LobeFit fit_from_starts(const Quadrature& q, std::span<const Vec4d> starts,
                         const LobeFitOptions& options) {
   const Objective balanced = balanced_like(options.objective);
   Vec4d best = cosine_start(q.width, q.cos_theta);
-  double least = evaluate_objective(q, best, balanced).value;
+  double least = evaluate_objective(q, best, balanced, false).value;
   const auto consider = [&](Vec4d start) {
-    const double value = evaluate_objective(q, start, balanced).value;
+    const double value = evaluate_objective(q, start, balanced, false).value;
     if (value < least) {
       least = value;
       best = start;

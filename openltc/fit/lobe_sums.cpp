@@ -5,17 +5,17 @@
 
 namespace openltc::fit {
 
-void lobe_sums_baseline(const LobeSumsInput& input, LobeSumsOutput& output);
+LobeSums lobe_sums_baseline();
 #ifdef OPENLTC_X86
-void lobe_sums_avx2(const LobeSumsInput& input, LobeSumsOutput& output);
-void lobe_sums_avx512(const LobeSumsInput& input, LobeSumsOutput& output);
+LobeSums lobe_sums_avx2();
+LobeSums lobe_sums_avx512();
 #endif
 
 std::vector<LobeSums> all_lobe_sums() {
-  std::vector<LobeSums> variants = {lobe_sums_baseline};
+  std::vector<LobeSums> variants = {lobe_sums_baseline()};
 #ifdef OPENLTC_X86
-  if (__builtin_cpu_supports("avx2")) variants.push_back(lobe_sums_avx2);
-  if (__builtin_cpu_supports("avx512f")) variants.push_back(lobe_sums_avx512);
+  if (__builtin_cpu_supports("avx2")) variants.push_back(lobe_sums_avx2());
+  if (__builtin_cpu_supports("avx512f")) variants.push_back(lobe_sums_avx512());
 #endif
   return variants;
 }

@@ -26,21 +26,33 @@ struct LobeSumsInput {
   double m[4];         ///< o.x = m0 x + m1 z, o.z = m2 x + m3 z: (A, wB, wC, wD), w the width
   double det = 0;      ///< det M^-1 times the scale s, over pi
   double log_slope[4]; ///< derivative of log(det s) by m[k]
-  double tv = 0;       ///< weights of the distances, normalised: w/2, w/N2, w/N3
-  double l2 = 0;
-  double l3 = 0;
-  double rounding = 0;
-  double floor = 0; ///< e = rounding p + floor
+  double rounding = 0; ///< of |r| at 0: e = rounding p + floor
+  double floor = 0;
+  // Weights of the squares' sums, for the derivatives: of (|r| - r)/2, r^2 and |r|^3.
+  double tv = 0;
+  double squares = 0;
+  double cubes = 0;
 };
 
-/// Value, gradient by m[k] and the reweighted squares' matrix, upper triangle by rows.
-struct LobeSumsOutput {
-  double value;
+/// Sums over the points, weights included, of (|r| - r)/2, |r| rounded, of r^2 and of |r|^3.
+struct LobeDistances {
+  double missing;
+  double squares;
+  double cubes;
+};
+
+/// Gradient by m[k] of the weighted sum, and the reweighted squares' matrix, upper triangle by
+/// rows.
+struct LobeDerivatives {
   double gradient[4];
   double hessian[10];
 };
 
-using LobeSums = void (*)(const LobeSumsInput& input, LobeSumsOutput& output);
+/// Both sums, for one instruction set.
+struct LobeSums {
+  void (*distances)(const LobeSumsInput& input, LobeDistances& output);
+  void (*derivatives)(const LobeSumsInput& input, LobeDerivatives& output);
+};
 
 /// The variant for this machine.
 LobeSums lobe_sums();

@@ -26,44 +26,69 @@ inline double sum(const Block& b) {
   return ((b[0] + b[4]) + (b[2] + b[6])) + ((b[1] + b[5]) + (b[3] + b[7]));
 }
 
-} // namespace
+// The lobe at eight points.
+struct Points {
+  Block x, z, w, p; // as in the input
+  Block ox, oz, q, inside, d;
 
-void OPENLTC_VARIANT(const LobeSumsInput& in, LobeSumsOutput& out) {
-  const Block zero = {};
-  Block value = zero, g[4] = {zero, zero, zero, zero};
-  Block h[10] = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  for (std::size_t i = 0; i < in.count; i += k_width) {
-    Block x, y, z, w, p;
+  Points(const LobeSumsInput& in, std::size_t i) {
+    Block y;
     load(x, in.x + i);
     load(y, in.y + i);
     load(z, in.z + i);
     load(w, in.weight + i);
     load(p, in.density + i);
+    const Block none = {};
+    ox = in.m[0] * x + in.m[1] * z;
+    oz = in.m[2] * x + in.m[3] * z;
+    q = 1.0 / (ox * ox + y * y + oz * oz);
+    inside = oz > none ? in.det * q * q : none;
+    d = oz * inside;
+  }
+};
 
-    const Block ox = in.m[0] * x + in.m[1] * z;
-    const Block oz = in.m[2] * x + in.m[3] * z;
-    const Block q = 1.0 / (ox * ox + y * y + oz * oz);
-    const Block inside = oz > zero ? in.det * q * q : zero;
-    const Block d = oz * inside;
-
-    const Block r = d - p;
+void distances(const LobeSumsInput& in, LobeDistances& out) {
+  const Block zero = {};
+  Block missing = zero, squares = zero, cubes = zero;
+  for (std::size_t i = 0; i < in.count; i += k_width) {
+    const Points at(in, i);
+    const Block r = at.d - at.p;
     const Block a = r < zero ? -r : r;
-    const Block e = in.rounding * p + in.floor;
-    const Block inverse = 1.0 / (a + e);
-    const Block square = r * r;
-    value += w * square * (in.tv * inverse + in.l2 + in.l3 * a);
-    const Block omega =
-        w * (in.tv * (a + 2.0 * e) * inverse * inverse + 2.0 * in.l2 + 3.0 * in.l3 * a);
+    const Block square = at.w * r * r;
+    missing += square / (a + (in.rounding * at.p + in.floor)) - at.w * r;
+    squares += square;
+    cubes += square * a;
+  }
+  out.missing = 0.5 * sum(missing);
+  out.squares = sum(squares);
+  out.cubes = sum(cubes);
+}
 
-    const Block four_dq = 4.0 * d * q;
-    const Block by_x = -four_dq * ox, by_z = inside - four_dq * oz;
-    const Block d0 = d * in.log_slope[0] + by_x * x, d1 = d * in.log_slope[1] + by_x * z;
-    const Block d2 = d * in.log_slope[2] + by_z * x, d3 = d * in.log_slope[3] + by_z * z;
+void derivatives(const LobeSumsInput& in, LobeDerivatives& out) {
+  const Block zero = {};
+  Block g[4] = {zero, zero, zero, zero};
+  Block h[10] = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
+  const double half_tv = 0.5 * in.tv;
+  for (std::size_t i = 0; i < in.count; i += k_width) {
+    const Points at(in, i);
+    const Block r = at.d - at.p;
+    const Block a = r < zero ? -r : r;
+    const Block e = in.rounding * at.p + in.floor;
+    const Block inverse = 1.0 / (a + e);
+    const Block omega = at.w * (half_tv * (a + 2.0 * e) * inverse * inverse + 2.0 * in.squares +
+                                3.0 * in.cubes * a);
+    const Block four_dq = 4.0 * at.d * at.q;
+    const Block by_x = -four_dq * at.ox, by_z = at.inside - four_dq * at.oz;
+    const Block d0 = at.d * in.log_slope[0] + by_x * at.x;
+    const Block d1 = at.d * in.log_slope[1] + by_x * at.z;
+    const Block d2 = at.d * in.log_slope[2] + by_z * at.x;
+    const Block d3 = at.d * in.log_slope[3] + by_z * at.z;
+    const Block pull = omega * r - half_tv * at.w; // the gradient by D
+    g[0] += pull * d0;
+    g[1] += pull * d1;
+    g[2] += pull * d2;
+    g[3] += pull * d3;
     const Block w0 = omega * d0, w1 = omega * d1, w2 = omega * d2, w3 = omega * d3;
-    g[0] += w0 * r;
-    g[1] += w1 * r;
-    g[2] += w2 * r;
-    g[3] += w3 * r;
     h[0] += w0 * d0;
     h[1] += w0 * d1;
     h[2] += w0 * d2;
@@ -75,11 +100,14 @@ void OPENLTC_VARIANT(const LobeSumsInput& in, LobeSumsOutput& out) {
     h[8] += w2 * d3;
     h[9] += w3 * d3;
   }
-  out.value = sum(value);
   for (int k = 0; k < 4; ++k)
     out.gradient[k] = sum(g[k]);
   for (int k = 0; k < 10; ++k)
     out.hessian[k] = sum(h[k]);
 }
+
+} // namespace
+
+LobeSums OPENLTC_VARIANT() { return {distances, derivatives}; }
 
 } // namespace openltc::fit

@@ -6,9 +6,8 @@
 // 1/2 sum of w_i omega_i r_i^2 with omega = phi'(r)/r at the current r; their matrix stands in for
 // the second derivatives.
 //
-// The leak is exact: below the horizon p = 0, and the integral of D there is, in cosine space, the
-// cosine's integral over a half-space with normal m = M^T z ~ (-m20, 0, m00), (1 - cos g)/2 with
-// cos g = m_z/|m|; that is sin^2(g/2), a square by itself. What is left above is cos^2(g/2).
+// The share above the horizon is exact: it is, in cosine space, the cosine's integral over a
+// half-space with normal m = M^T z ~ (-m20, 0, m00), (1 + cos g)/2 = cos^2(g/2), cos g = m_z/|m|.
 
 #include "openltc/fit/objective.h"
 
@@ -34,7 +33,8 @@ Result<Objective> find_objective(std::string_view name) {
   return Error{fmt::format("objective {}: known are balanced, tv, l2 and l3", name)};
 }
 
-ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objective& o) {
+ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objective& o,
+                                  bool with_derivatives) {
   ObjectiveValue result;
   const double width = q.width;
   const double det = width * (abcd.x * abcd.w - width * abcd.y * abcd.z);
@@ -55,12 +55,10 @@ ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objecti
   const double by_m00 = 0.5 * m20 / length2, by_m20 = -0.5 * m00 / length2;
   const double slope[4] = {by_m00 * c, -by_m00 * s, by_m20 * c, -by_m20 * s};
   const double sine = std::sin(half), cosine = std::cos(half);
-  const double above = cosine * cosine;
+  // Shading divides by no less than k_min_share either.
+  const double above = std::max(cosine * cosine, f64::k_min_share);
   const bool clipped = o.horizon == Horizon::clipped;
-  if (clipped && !(above > 1e-3)) {
-    result.value = std::numeric_limits<double>::infinity();
-    return result;
-  }
+  const bool sloped = clipped && cosine * cosine > f64::k_min_share;
 
   LobeSumsInput in;
   in.x = q.x_mirror.data();
@@ -74,28 +72,34 @@ ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objecti
   for (int k = 0; k < 4; ++k) {
     in.m[k] = m[k];
     // d log(1/cos^2) = 2 tan
-    in.log_slope[k] = minor[k] / det + (clipped ? 2 * sine / cosine * slope[k] : 0.0);
+    in.log_slope[k] = minor[k] / det + (sloped ? 2 * sine / cosine * slope[k] : 0.0);
   }
   in.det = det * scale * f64::k_inv_pi;
-  in.tv = 0.5 * o.tv;
-  in.l2 = o.l2 / q.norm2;
-  in.l3 = o.l3 / q.norm3;
   in.rounding = o.rounding;
   in.floor = o.rounding * 1e-3 * q.norm2;
-  LobeSumsOutput sums;
-  lobe_sums()(in, sums);
+  const LobeSums sums = lobe_sums();
+  LobeDistances distances;
+  sums.distances(in, distances);
+  // A root has no slope at 0, where the fit is perfect.
+  const double l2 = std::max(std::sqrt(distances.squares / q.norm2), 1e-6);
+  const double l3 = std::max(std::cbrt(distances.cubes / q.norm3), 1e-6);
+  result.value = o.tv * distances.missing + o.l2 * l2 + o.l3 * l3;
+  if (!with_derivatives) return result;
 
-  // From m[k] to A B C D, and the leak's square.
+  // d sqrt(S) = dS / (2 sqrt(S)), d cbrt(S) = dS / (3 cbrt(S)^2)
+  in.tv = o.tv;
+  in.squares = o.l2 / (2 * l2 * q.norm2);
+  in.cubes = o.l3 / (3 * l3 * l3 * q.norm3);
+  LobeDerivatives derivatives;
+  sums.derivatives(in, derivatives);
+
+  // From m[k] to A B C D.
   const double factor[4] = {1, width, width, width};
-  const double leak_weight = clipped ? 0.0 : 0.5 * o.tv;
-  result.value = sums.value + leak_weight * sine * sine;
   int at = 0;
   for (int i = 0; i < 4; ++i) {
-    const double leak_i = cosine * slope[i];
-    result.gradient[i] = factor[i] * (sums.gradient[i] + 2 * leak_weight * sine * leak_i);
+    result.gradient[i] = factor[i] * derivatives.gradient[i];
     for (int j = i; j < 4; ++j, ++at)
-      result.hessian[at] =
-          factor[i] * factor[j] * (sums.hessian[at] + 2 * leak_weight * leak_i * cosine * slope[j]);
+      result.hessian[at] = factor[i] * factor[j] * derivatives.hessian[at];
   }
   return result;
 }

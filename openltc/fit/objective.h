@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/fit/horizon.h"
 #include "openltc/fit/quadrature.h"
 #include "openltc/target/vec.h"
 
@@ -14,22 +15,21 @@
 
 namespace openltc::fit {
 
-/// What becomes of the part of the lobe below the surface's horizon.
-enum class Horizon {
-  clipped, ///< shading divides by the share above, as shade/surface.glsl does: s D, integral 1
-  leaking  ///< it is lost, or shines through the surface, as in engines that do not clip
-};
-
-/// Weighted sum of distances, r being s D - p (clipped) or D - p (leaking) above the horizon:
-///   F = tv (1/2 integral |r| + 1/2 leak) + l2 integral r^2 / integral p^2
-///     + l3 integral |r|^3 / integral p^3,
-/// |r| rounded at 0 to r^2 / (|r| + e), e = rounding p and a little. The leak counts only when
-/// leaking. Defaults: `balanced`.
+/// Weighted sum of distances, r being D / (1 - leak) - p (clipped) or D - p (leaking) above the
+/// horizon, p = rho/E:
+///   F = tv TV + l2 L2 + l3 L3,   TV = integral of max(-r, 0),
+///   L2 = (integral r^2 / integral p^2)^(1/2),   L3 = (integral |r|^3 / integral p^3)^(1/3).
+/// TV is the total variation, as the energy that D misses where p is: both integrate to 1, over the
+/// hemisphere when clipped, over the sphere when leaking, and what is missing here is too much
+/// elsewhere, also where the quadrature has no points. |r| in it is rounded at 0 to
+/// r^2 / (|r| + e), e = rounding p and a little. Norms, not their powers: powers would weigh the
+/// cells of a table that no lobe fits well hundreds of times more than the others.
+/// Defaults: `balanced`.
 struct Objective {
   std::string name = "balanced";
   double tv = 1;
-  double l2 = 2;
-  double l3 = 2;
+  double l2 = 0.22;
+  double l3 = 0.22;
   double rounding = 0.05;
   Horizon horizon = Horizon::clipped;
 };
@@ -48,9 +48,9 @@ struct ObjectiveValue {
   double hessian[10] = {}; ///< upper triangle by rows
 };
 
-/// Evaluates F; infinite where the determinant is not positive. The same bits on every instruction
-/// set.
+/// Evaluates F, and its derivatives when asked for; infinite where the determinant is not positive.
+/// The same bits on every instruction set.
 ObjectiveValue evaluate_objective(const Quadrature& quadrature, Vec4d mirror,
-                                  const Objective& objective);
+                                  const Objective& objective, bool with_derivatives = true);
 
 } // namespace openltc::fit

@@ -16,6 +16,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -45,8 +46,9 @@ std::vector<JointTerm> terms_at(int degree, bool with_roughness, double roughnes
   return terms;
 }
 
-// Cosine of the rim's samples: at 0 itself there is no lobe.
-constexpr double k_rim_cosine = 1e-4;
+// Further rows towards the rim y = 1, where the determinant is smallest and polynomials swing most;
+// at 1 itself there is no lobe.
+constexpr std::array k_rim = {0.993, 0.998, 0.99995};
 // The rim counts little as a place to fit, fully as one where the determinant must stay positive.
 constexpr double k_rim_weight = 1e-3;
 
@@ -57,7 +59,7 @@ struct Samples {
 
 Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions& options) {
   const int n = options.samples;
-  const int columns = brdf.has_parameter() ? n : 1, rows = n + 1; // the last row is the rim
+  const int columns = brdf.has_parameter() ? n : 1, rows = n + int(k_rim.size());
   // Closer towards the mirror, where lobes are narrow and a small error of a coefficient is a large
   // one of the lobe. The rim's samples reach both ends.
   const auto roughness_of = [&](int column, bool rim) {
@@ -76,8 +78,8 @@ Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions&
   LobeFitOptions fit;
   fit.objective.horizon = options.objective.horizon; // otherwise balanced, the start of all
   tbb::parallel_for(0, rows, [&](int row) {
-    const bool rim = row == n;
-    const double y = rim ? std::sqrt(1 - k_rim_cosine) : (row + 0.5) / n;
+    const bool rim = row >= n;
+    const double y = rim ? k_rim[std::size_t(row - n)] : (row + 0.5) / n;
     Vec4d start;
     for (int column = columns - 1; column >= 0; --column) {
       const std::size_t at = std::size_t(row) * std::size_t(columns) + std::size_t(column);
@@ -133,8 +135,7 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   joint.objective.horizon = options.objective.horizon;
   joint.max_iterations = 60;
   joint.least_determinant = 2e-5;
-  std::vector<Vec4d> mirror =
-      project_jointly(samples->joint, samples->best, int(count), joint.objective);
+  std::vector<Vec4d> mirror = project_jointly(samples->joint, samples->best, int(count), joint);
 
   std::vector<double> wanted1, wanted5;
   for (const JointSample& sample : samples->joint) {

@@ -18,7 +18,7 @@ namespace openltc::fit {
 struct PolynomialFitOptions {
   int degree = 4;   ///< total degree, table::LobePolynomial::k_min_degree to k_max_degree
   int samples = 32; ///< per axis, at the midpoints of equal parts of roughness and sqrt(1 - cos)
-  QuadratureSize quadrature{20, 16};
+  QuadratureSize quadrature{20, 32};
   Objective objective;
 };
 

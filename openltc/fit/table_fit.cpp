@@ -114,6 +114,12 @@ Status first_failure(const std::vector<std::string>& failures) {
   return Success{};
 }
 
+// Cosine that stands in for 0 on the rim, and what its samples count.
+constexpr double k_rim_cosine = 1e-4;
+constexpr double k_rim_weight = 1e-3;
+// What a refined node's A D - w B C is kept above.
+constexpr double k_least_determinant = 1e-5;
+
 // Samples between the nodes, at the centres of an even subdivision of every cell, with the share
 // each corner of the cell has in them.
 Result<std::vector<JointSample>> make_samples(const Grid& grid) {
@@ -126,25 +132,33 @@ Result<std::vector<JointSample>> make_samples(const Grid& grid) {
     half_vectors.push_back(grid.columns > 1 ? find_half_vectors(grid.brdf, grid.roughness(column))
                                             : grid.half_vectors[0]);
   }
-  std::vector<JointSample> samples(std::size_t(across) * std::size_t(along));
+  // Beyond the last sample the grazing row would be free: its own nodes are samples too, which
+  // count little as places to fit and fully where the determinant must stay positive.
+  const std::size_t between = std::size_t(across) * std::size_t(along);
+  std::vector<JointSample> samples(between + std::size_t(grid.columns));
   std::vector<std::string> failures(samples.size());
-  tbb::parallel_for(0, across * along, [&](int k) {
-    const double x = grid.columns > 1 ? (k % across + 0.5) / per_cell : 0;
-    const double y = (k / across + 0.5) / per_cell;
-    JointSample& sample = samples[std::size_t(k)];
+  tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t k) {
+    const bool rim = k >= between;
+    const int i = rim ? int(k - between) : int(k) % across;
+    const double x = rim ? i : grid.columns > 1 ? (i + 0.5) / per_cell : 0;
+    const double y = rim ? grid.rows - 1 : (int(k) / across + 0.5) / per_cell;
+    JointSample& sample = samples[k];
     Result<Quadrature> rule = make_quadrature(
-        grid.brdf, grid.roughness(x), cosine_at(y / (grid.rows - 1), grid.options.angle_axis),
-        half_vectors[std::size_t(k % across)], grid.options.quadrature);
+        grid.brdf, grid.roughness(x),
+        rim ? k_rim_cosine : cosine_at(y / (grid.rows - 1), grid.options.angle_axis),
+        rim ? grid.half_vectors[std::size_t(i)] : half_vectors[std::size_t(i)],
+        grid.options.quadrature);
     if (!rule) {
-      failures[std::size_t(k)] = rule.error().message;
+      failures[k] = rule.error().message;
       return;
     }
     sample.rule = std::move(*rule);
+    sample.weight = rim ? k_rim_weight : 1.0;
     const int x0 = int(x), y0 = int(y);
     for (int corner = 0; corner < 4; ++corner) {
-      const int i = corner % 2, j = corner / 2;
-      const double share = (i ? x - x0 : 1 - (x - x0)) * (j ? y - y0 : 1 - (y - y0));
-      if (share > 0) sample.terms.push_back({(y0 + j) * grid.columns + x0 + i, share});
+      const int right = corner % 2, down = corner / 2;
+      const double share = (right ? x - x0 : 1 - (x - x0)) * (down ? y - y0 : 1 - (y - y0));
+      if (share > 0) sample.terms.push_back({(y0 + down) * grid.columns + x0 + right, share});
     }
   });
   if (Status status = first_failure(failures); !status) return status.error();
@@ -167,6 +181,7 @@ Status refine(Grid& grid) {
   }
   JointFitOptions joint;
   joint.objective = grid.options.lobe.objective;
+  joint.least_determinant = k_least_determinant;
   mirror = fit_jointly(*samples, mirror, joint).unknowns;
   n1 = interpolate_jointly(*samples, wanted1, n1);
   n5 = interpolate_jointly(*samples, wanted5, n5);
@@ -184,8 +199,27 @@ Status refine(Grid& grid) {
   return Success{};
 }
 
+LobeTable pack(const Grid& grid) {
+  LobeTable result;
+  result.columns = grid.columns;
+  result.rows = grid.rows;
+  result.angle_axis = grid.options.angle_axis;
+  result.width = grid.brdf.width;
+  result.texels.reserve(grid.nodes.size() * LobeTable::k_channels);
+  for (const Node& node : grid.nodes)
+    for (const double value :
+         {node.mirror.x, node.mirror.y, node.mirror.z, node.mirror.w, node.n1, node.n5, 0.0, 0.0})
+      result.texels.push_back(round_to_six_digits(value));
+  return result;
+}
+
 // Between the nodes the determinant must stay positive too: looked at on a fine grid.
-Status check_determinants(const brdf::Brdf& brdf, const LobeTable& t) {
+Status check_lobes(const brdf::Brdf& brdf, const LobeTable& t) {
+  for (const float value : t.texels)
+    if (!std::isfinite(value))
+      return Error{fmt::format("brdf {}: the fit of a {}-node table gave a value that is not "
+                               "finite; please report this with the command line",
+                               brdf.name, t.rows)};
   constexpr int k_per_cell = 4;
   const int across = std::max(1, (t.columns - 1) * k_per_cell);
   for (int j = 0; j <= (t.rows - 1) * k_per_cell; ++j) {
@@ -253,29 +287,19 @@ Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& optio
     });
     if (Status status = first_failure(failures); !status) return status.error();
   }
+  const std::vector<Node> unrefined = grid.nodes;
   if (refined)
     if (Status status = refine(grid); !status) return status.error();
   if (progress && (refined || grid.columns == 1)) progress(1.0);
 
-  LobeTable result;
-  result.columns = grid.columns;
-  result.rows = grid.rows;
-  result.angle_axis = options.angle_axis;
-  result.width = brdf.width;
-  result.texels.reserve(grid.nodes.size() * LobeTable::k_channels);
-  for (const Node& node : grid.nodes) {
-    const double channels[LobeTable::k_channels] = {
-        node.mirror.x, node.mirror.y, node.mirror.z, node.mirror.w, node.n1, node.n5, 0, 0};
-    for (const double value : channels) {
-      result.texels.push_back(round_to_six_digits(value));
-      if (!std::isfinite(result.texels.back()))
-        return Error{fmt::format("brdf {}: the fit of a {}-node table gave a value that is not "
-                                 "finite; please report this with the command line",
-                                 brdf.name, options.size)};
-    }
+  LobeTable result = pack(grid);
+  Status status = check_lobes(brdf, result);
+  if (!status && refined && options.refine == Refine::automatic) {
+    grid.nodes = unrefined;
+    result = pack(grid);
+    status = check_lobes(brdf, result);
   }
-  if (Status status = check_determinants(brdf, result); !status) return status.error();
-
+  if (!status) return status.error();
   result.metadata.brdf = brdf.name;
   result.metadata.variant = brdf.variant;
   result.metadata.objective = options.lobe.objective.name;

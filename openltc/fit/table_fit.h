@@ -28,7 +28,7 @@ struct TableFitOptions {
   int size = 64; ///< nodes per axis, 2..512; a BRDF without a parameter gets one column
   table::AngleAxis angle_axis = table::AngleAxis::sqrt_one_minus_cos;
   Refine refine = Refine::automatic;
-  QuadratureSize quadrature{20, 16};
+  QuadratureSize quadrature{20, 32};
   LobeFitOptions lobe;
 };
 

@@ -16,7 +16,7 @@
 //   Vec2 lobe_polynomial_amplitudes(LobePolynomial, term)  c_ij of n1 n5
 
 /// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
-/// values: n1 in [0, 1], n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+/// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
 /// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
 FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha, Real width,
                                             Real cos_theta) {
@@ -54,12 +54,15 @@ FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alph
   FittedLobe fitted;
   fitted.lobe = lobe_from_mirror(abcd, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
   fitted.lobe.det = max(fitted.lobe.det, Real(k_tiny));
-  fitted.n1 = min(max(amplitudes.x, Real(0.0)), Real(1.0));
+  fitted.n1 = max(amplitudes.x, Real(0.0));
   fitted.n5 = min(max(amplitudes.y, Real(0.0)), fitted.n1);
   return fitted;
 }
 
-/// The same of a microfacet BRDF.
+/// The same of a microfacet BRDF, which reflects no more than it receives: n1 in [0, 1].
 FN FittedLobe eval_lobe_polynomial(LobePolynomial polynomial, Real alpha, Real cos_theta) {
-  return eval_lobe_polynomial_of_width(polynomial, alpha, alpha, cos_theta);
+  FittedLobe fitted = eval_lobe_polynomial_of_width(polynomial, alpha, alpha, cos_theta);
+  fitted.n1 = min(fitted.n1, Real(1.0));
+  fitted.n5 = min(fitted.n5, fitted.n1);
+  return fitted;
 }

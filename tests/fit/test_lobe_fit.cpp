@@ -100,18 +100,23 @@ TEST_CASE("every instruction set gives the same bits") {
     in.log_slope[k] = slope[k];
   }
   in.det = 0.00764;
-  in.tv = 0.5;
-  in.l2 = 0.2;
-  in.l3 = 0.1;
+  in.tv = 1;
+  in.squares = 0.2;
+  in.cubes = 0.1;
   in.rounding = 0.05;
   in.floor = 1e-3;
-  fit::LobeSumsOutput first;
-  variants.front()(in, first);
-  CHECK(first.value > 0);
-  for (const fit::LobeSums variant : variants) {
-    fit::LobeSumsOutput other;
-    variant(in, other);
+  fit::LobeDistances first;
+  fit::LobeDerivatives first_slopes;
+  variants.front().distances(in, first);
+  variants.front().derivatives(in, first_slopes);
+  CHECK(first.missing > 0);
+  for (const fit::LobeSums& variant : variants) {
+    fit::LobeDistances other;
+    fit::LobeDerivatives other_slopes;
+    variant.distances(in, other);
+    variant.derivatives(in, other_slopes);
     CHECK(std::memcmp(&first, &other, sizeof(first)) == 0);
+    CHECK(std::memcmp(&first_slopes, &other_slopes, sizeof(first_slopes)) == 0);
   }
   MESSAGE("variants compared: ", variants.size());
 }

@@ -1,0 +1,14 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+namespace openltc::fit {
+
+/// What becomes of the part of a lobe below the surface's horizon.
+enum class Horizon {
+  leaking, ///< it is lost, or shines through the surface: D as it is. What engines do
+  clipped  ///< shading divides by the share above, as shade/surface.glsl does: D / (1 - leak)
+};
+
+} // namespace openltc::fit
