@@ -12,10 +12,12 @@
 //   x = cos s sin w + sin s cos w cos p,   y = sin s sin p,
 //   z = cos s cos w - sin s sin w cos p,
 // so x y' - y x' = sin s cos s sin w cos p + sin^2 s cos w. The rim crosses the horizon at
-// cos p0 = cot s cot w, above it for p in (p0, 2 pi - p0), in x at cos s / sin w. Along the horizon
-// back to the start the integral is the angle b of the arc, cos b = cos s / sin w. Altogether
-//   area = b + sin^2 s cos w (pi - p0) - sin s cos s sin w sin p0,
-// and pi sin^2 s cos w where the rim does not reach the horizon.
+// cos p0 = cot s cot w, above it for p in (p0, 2 pi - p0), at x = cos s / sin w and y = +- sin s
+// sin p0. Along the horizon back to the start the integral is half of the arc's angle, b =
+// atan(y / x). With z = cos w and q = sin s sin w sin p0 = sqrt(sin^2 s - z^2) all of this becomes
+//   p0 = atan(q / (cos s z)),   b = atan(q / cos s),
+//   area = b + sin^2 s z (pi - p0) - cos s q,
+// in which nothing cancels badly, and pi sin^2 s z where the rim does not reach the horizon.
 
 #include "openltc/table/clipped_sphere.h"
 
@@ -28,15 +30,10 @@ namespace openltc::table {
 double clipped_sphere_form_factor(double z, double form_factor) {
   constexpr double pi = std::numbers::pi;
   const double sin2_s = std::clamp(form_factor, 0.0, 1.0);
-  const double sin2_w = 1 - z * z;
-  // The rim stays above the horizon for s + w <= pi/2 and below it for w - s >= pi/2.
-  if (sin2_s + sin2_w <= 1 || sin2_s < 1e-12) return std::max(z, 0.0) + 0.0;
-  const double sin_s = std::sqrt(sin2_s), cos_s = std::sqrt(1 - sin2_s);
-  const double sin_w = std::sqrt(sin2_w);
-  const double cos_p0 = std::clamp(cos_s * z / (sin_s * sin_w), -1.0, 1.0);
-  const double p0 = std::acos(cos_p0), sin_p0 = std::sqrt(1 - cos_p0 * cos_p0);
-  const double b = std::acos(std::clamp(cos_s / sin_w, -1.0, 1.0));
-  const double area = b + sin2_s * z * (pi - p0) - sin_s * cos_s * sin_w * sin_p0;
+  if (sin2_s <= z * z) return std::max(z, 0.0); // the rim does not reach the horizon
+  const double cos_s = std::sqrt(1 - sin2_s), q = std::sqrt(sin2_s - z * z);
+  const double p0 = std::atan2(q, cos_s * z);
+  const double area = std::atan2(q, cos_s) + sin2_s * z * (pi - p0) - cos_s * q;
   return std::max(area / (pi * sin2_s), 0.0);
 }
 

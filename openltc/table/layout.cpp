@@ -30,10 +30,6 @@ double width_of(brdf::LobeWidth width, double roughness) {
   return width == brdf::LobeWidth::alpha ? f64::alpha_from_roughness(roughness) : 1.0;
 }
 
-double node_roughness(int columns, int column) {
-  return columns > 1 ? double(column) / (columns - 1) : 1.0;
-}
-
 double angle_coordinate(AngleAxis axis, double cos_theta) {
   const double c = std::clamp(cos_theta, 0.0, 1.0);
   return axis == AngleAxis::theta ? std::acos(c) / (0.5 * f64::k_pi) : std::sqrt(1 - c);
@@ -157,6 +153,14 @@ double determinant(const PackedTable& packed, int column, int row) {
 }
 
 } // namespace
+
+double node_roughness(int columns, int column) {
+  return columns > 1 ? double(column) / (columns - 1) : 1.0;
+}
+
+double node_width(brdf::LobeWidth width, int columns, int column) {
+  return width_of(width, node_roughness(columns, column));
+}
 
 std::span<const Layout> all_layouts() { return k_layouts; }
 

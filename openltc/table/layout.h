@@ -71,6 +71,11 @@ struct PackedTable {
   int rows() const { return textures.empty() ? 0 : textures[0].height; }
 };
 
+/// Roughness of a column's nodes, and the width that is factored out there. A single column stands
+/// for all roughnesses; it is taken as roughness 1.
+double node_roughness(int columns, int column);
+double node_width(brdf::LobeWidth width, int columns, int column);
+
 /// The cosine of the view angle at row `row` of `rows` for the matrices of a layout. At the grazing
 /// row itself, cos theta = 0, all but the native packing have no finite or no useful value, so the
 /// row holds the lobe of a cosine a little above 0; layout.cpp gives the measurements.
