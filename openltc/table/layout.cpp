@@ -35,26 +35,6 @@ double angle_coordinate(AngleAxis axis, double cos_theta) {
   return axis == AngleAxis::theta ? std::acos(c) / (0.5 * f64::k_pi) : std::sqrt(1 - c);
 }
 
-// The channels of a texel at a texture coordinate, bilinear between texel centres.
-std::array<double, 4> sample(const Texture& texture, double u, double v) {
-  const double x = std::clamp(u * texture.width - 0.5, 0.0, double(texture.width - 1));
-  const double y = std::clamp(v * texture.height - 0.5, 0.0, double(texture.height - 1));
-  const int x0 = int(x), y0 = int(y);
-  const int x1 = std::min(x0 + 1, texture.width - 1), y1 = std::min(y0 + 1, texture.height - 1);
-  const double fx = x - x0, fy = y - y0;
-  std::array<double, 4> result = {0, 0, 0, 0};
-  for (int k = 0; k < texture.channels; ++k) {
-    const auto at = [&](int column, int row) {
-      return double(
-          texture.values[std::size_t((row * texture.width + column) * texture.channels + k)]);
-    };
-    const double top = at(x0, y0) + (at(x1, y0) - at(x0, y0)) * fx;
-    const double bottom = at(x0, y1) + (at(x1, y1) - at(x0, y1)) * fx;
-    result[std::size_t(k)] = top + (bottom - top) * fy;
-  }
-  return result;
-}
-
 // Godot's arc cosine, whose error reaches .5 degrees.
 double godot_acos(double x) {
   return (-0.156583 * x + 0.5 * f64::k_pi) * std::sqrt(std::max(1 - x, 0.0));
@@ -101,7 +81,6 @@ int determinant_channel(Layout layout) {
 Status round_to_half(PackedTable& packed) {
   for (std::size_t t = 0; t < packed.textures.size(); ++t) {
     Texture& texture = packed.textures[t];
-    texture.precision = Precision::float16;
     for (std::size_t i = 0; i < texture.values.size(); ++i) {
       const float rounded = rounded_to_half(texture.values[i]);
       if (!std::isfinite(rounded)) {
@@ -293,7 +272,6 @@ Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precis
 
   PackedTable packed;
   packed.layout = layout;
-  packed.precision = precision;
   packed.angle_axis = facts.angle_axis;
   packed.width = table.width;
   packed.metadata = table.metadata;
@@ -331,17 +309,26 @@ Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precis
       }
     }
   }
+  return with_precision(packed, precision);
+}
+
+Result<PackedTable> with_precision(const PackedTable& packed, Precision precision) {
+  PackedTable result = packed;
+  result.precision = precision;
+  for (Texture& texture : result.textures)
+    texture.precision = precision;
   if (precision == Precision::float16)
-    if (Status status = round_to_half(packed); !status) return status.error();
-  for (int row = 0; row < table.rows; ++row)
-    for (int column = 0; column < table.columns; ++column)
-      if (!(determinant(packed, column, row) > 0)) {
-        if (precision == Precision::float16)
-          if (Status status = repair_determinant(packed, column, row); status) continue;
-        return Error{fmt::format("layout {}: the lobe of node ({}, {}) has no positive determinant",
-                                 name_of(layout), column, row)};
-      }
-  return packed;
+    if (Status status = round_to_half(result); !status) return status.error();
+  for (int row = 0; row < result.rows(); ++row)
+    for (int column = 0; column < result.columns(); ++column) {
+      if (determinant(result, column, row) > 0) continue;
+      const Error error{
+          fmt::format("layout {}: the lobe of node ({}, {}) has no positive determinant",
+                      name_of(result.layout), column, row)};
+      if (!(determinant(packed, column, row) > 0) || precision == Precision::float32) return error;
+      if (Status status = repair_determinant(result, column, row); !status) return status.error();
+    }
+  return result;
 }
 
 Result<LobeTable> unpack(const PackedTable& packed) {
@@ -386,6 +373,25 @@ Result<LobeTable> unpack(const PackedTable& packed) {
   return table;
 }
 
+std::array<double, 4> sample_texture(const Texture& texture, double u, double v) {
+  const double x = std::clamp(u * texture.width - 0.5, 0.0, double(texture.width - 1));
+  const double y = std::clamp(v * texture.height - 0.5, 0.0, double(texture.height - 1));
+  const int x0 = int(x), y0 = int(y);
+  const int x1 = std::min(x0 + 1, texture.width - 1), y1 = std::min(y0 + 1, texture.height - 1);
+  const double fx = x - x0, fy = y - y0;
+  std::array<double, 4> result = {0, 0, 0, 0};
+  for (int k = 0; k < texture.channels; ++k) {
+    const auto at = [&](int column, int row) {
+      return double(
+          texture.values[std::size_t((row * texture.width + column) * texture.channels + k)]);
+    };
+    const double top = at(x0, y0) + (at(x1, y0) - at(x0, y0)) * fx;
+    const double bottom = at(x0, y1) + (at(x1, y1) - at(x0, y1)) * fx;
+    result[std::size_t(k)] = top + (bottom - top) * fy;
+  }
+  return result;
+}
+
 f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double cos_theta) {
   const double c = std::clamp(cos_theta, 0.0, 1.0);
   double r = std::clamp(roughness, 0.0, 1.0), y = angle_coordinate(packed.angle_axis, c);
@@ -395,9 +401,9 @@ f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double
   }
   const double u = f64::table_coordinate(r, packed.columns());
   const double v = f64::table_coordinate(y, packed.rows());
-  const std::array<double, 4> first = sample(packed.textures[0], u, v);
+  const std::array<double, 4> first = sample_texture(packed.textures[0], u, v);
   std::array<double, 4> second = {};
-  if (packed.textures.size() > 1) second = sample(packed.textures[1], u, v);
+  if (packed.textures.size() > 1) second = sample_texture(packed.textures[1], u, v);
   return lobe_of_texel(packed.layout, first, second, width_of(packed.width, r), c);
 }
 

@@ -10,6 +10,7 @@
 #include "openltc/table/texture.h"
 #include "openltc/target/shade_f64.h"
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -99,6 +100,13 @@ f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double
 /// texture. `width` and `cos_theta` matter to the native layout only.
 f64::FittedLobe lobe_of_texel(Layout layout, std::span<const double> first,
                               std::span<const double> second, double width, double cos_theta);
+
+/// The channels of a texture at uv in [0, 1], bilinear between texel centres, clamped at the
+/// border.
+std::array<double, 4> sample_texture(const Texture& texture, double u, double v);
+
+/// A table whose values are stored in another precision; as pack does it.
+Result<PackedTable> with_precision(const PackedTable& packed, Precision precision);
 
 /// Whether the number and channels of the textures are the layout's and all sizes agree.
 Status check_textures(const std::string& name, Layout layout, std::span<const Texture> textures);
