@@ -6,6 +6,7 @@
 #include "cli/inspect.h"
 
 #include "cli/commands.h"
+#include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
 
@@ -39,13 +40,18 @@ constexpr Kind k_kinds[] = {
 Result<Description> describe(const std::string& path) {
   std::error_code ec;
   const auto status = std::filesystem::status(path, ec);
-  if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
   if (std::filesystem::is_directory(status)) return Error{fmt::format("{}: is a directory", path)};
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   for (const Kind& kind : k_kinds)
-    if (extension == kind.extension) return kind.inspect(path);
+    if (extension == kind.extension) {
+      // A table of two files goes by the name of neither: ggx.dds is ggx_1.dds and ggx_2.dds.
+      const bool may_be_two = kind.inspect == inspect_table || kind.inspect == inspect_exr;
+      if (!std::filesystem::exists(status) && !(may_be_two && table::table_exists(path))) break;
+      return kind.inspect(path);
+    }
+  if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
   return Error{fmt::format("{}: cannot tell what it is; known are scenes (.gltf .glb), pictures "
                            "(.exr .hdr .png .jpg) and lobe tables (.json .dds .ktx2 .exr .npy)",
                            path)};

@@ -211,6 +211,11 @@ Result<std::vector<std::string>> write_packed(const PackedTable& packed, const s
   return paths;
 }
 
+bool table_exists(const std::string& path) {
+  std::error_code ec;
+  return fs::exists(texture_files(path)[0], ec);
+}
+
 Result<TextureFiles> read_textures(const std::string& path) {
   const ContainerFacts* container = container_of(path);
   if (!container || !container->one_texture)

@@ -31,6 +31,9 @@ std::vector<std::string> packed_files(Layout layout, const std::string& path);
 /// table_file.h.
 Result<std::vector<std::string>> write_packed(const PackedTable& packed, const std::string& path);
 
+/// Whether there is a table of textures by this name: the file itself, or NAME_1 of it.
+bool table_exists(const std::string& path);
+
 /// Textures as files hold them, and the description where there is one.
 struct TextureFiles {
   std::vector<std::string> paths;

@@ -73,6 +73,17 @@ Imf::Slice slice(Imf::PixelType type, char* base, std::size_t texel, int width) 
   return {type, base, texel, texel * std::size_t(width)};
 }
 
+// The library makes its own tables before it can be asked for a file's size. The limits are those of
+// image/exr.cpp, since they hold for the whole process.
+void limit_header_sizes() {
+  static const bool done = [] {
+    Imf::Header::setMaxImageSize(65535, 65535);
+    Imf::Header::setMaxTileSize(8192, 8192);
+    return true;
+  }();
+  (void)done;
+}
+
 // Whatever OpenEXR throws becomes one line.
 template <class T, class Function>
 Result<T> guarded(const std::string& name, const char* action, Function&& function) {
@@ -121,6 +132,7 @@ Result<Texture> decode_exr(ByteView bytes, const std::string& name) {
   if (bytes.size() < 4 || !std::equal(magic, magic + 4, bytes.begin()))
     return Error{fmt::format("{}: not an OpenEXR file", name)};
   return guarded<Texture>(name, "read", [&]() -> Result<Texture> {
+    limit_header_sizes();
     MemoryInput stream(bytes);
     Imf::InputFile file(stream, 0);
     const Imf::Header& header = file.header();

@@ -74,9 +74,9 @@ TEST_CASE("broken_tables_are_refused_by_name") {
                                      table_text().substr(0, table_text().size() / 2),
                                      changed("format", "other"),
                                      changed("version", 99),
-                                     changed("size", 9),
-                                     changed("size", -1),
-                                     changed("size", 1e9),
+                                     changed("columns", 9),
+                                     changed("rows", -1),
+                                     changed("rows", 1e9),
                                      changed("texels", json::array()),
                                      changed("texels", texels),
                                      changed("metadata", nullptr)};
