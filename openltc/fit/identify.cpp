@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace openltc::fit {
 
@@ -143,8 +144,7 @@ Identification compare(const Reading& r, std::span<const table::Texture> texture
     id.mean_n5 += std::abs(fitted.n5 - rule.n5);
   }
   for (double* sum : {&id.mean_tv, &id.mean_n1, &id.mean_n5})
-    *sum /= double(rules.size());
-  if (!std::isfinite(id.mean_tv)) id.mean_tv = 1;
+    *sum = std::isfinite(*sum) ? *sum / double(rules.size()) : 1;
   return id;
 }
 
@@ -172,11 +172,15 @@ Result<std::vector<Identification>> identify(std::span<const table::Texture> tex
     });
     found.insert(found.end(), of_brdf.begin(), of_brdf.end());
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Identification& a, const Identification& b) {
-                     if (a.mean_tv != b.mean_tv) return a.mean_tv < b.mean_tv;
-                     return a.layout.has_value() && !b.layout.has_value();
-                   });
+  // BRDFs that differ in amplitude only, such as one with and without multiple scattering, have the
+  // same lobes: then the amplitudes decide.
+  const auto key = [](const Identification& id) {
+    return std::tuple(std::lround(id.mean_tv * 1e5), id.layout ? 0 : 1,
+                      id.has_amplitudes ? id.mean_n1 : 0.0);
+  };
+  std::stable_sort(
+      found.begin(), found.end(),
+      [&](const Identification& a, const Identification& b) { return key(a) < key(b); });
   return found;
 }
 

@@ -120,7 +120,9 @@ TEST_CASE("inspect_names_the_published_texture") {
   CHECK(double(best["mean_tv"]) < 0.09);
   CHECK(double(best["mean_n1"]) < 0.01);
   CHECK(double(best["mean_n5"]) < 0.001);
-  CHECK(double(values["readings"][1]["mean_tv"]) > 1.5 * double(best["mean_tv"]));
+  for (const json& other : values["readings"]) // another way to read it fits no BRDF as well
+    if (other["reading"] != best["reading"])
+      CHECK(double(other["mean_tv"]) > 1.5 * double(best["mean_tv"]));
   const Run text = run_tool({"inspect", k_published});
   CHECK(contains(text.out, "most probably a table of ggx"));
   CHECK(contains(text.out, "--from-layout ltc_code"));
