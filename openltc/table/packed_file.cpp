@@ -283,7 +283,7 @@ Result<PackedTable> read_packed(const std::string& path, std::optional<Layout> l
                                path)};
     }
     const std::size_t count = facts_of(packed.layout).channels.size();
-    if (packed.textures.size() > count) packed.textures.resize(count);
+    if (packed.textures.size() > count && !described) packed.textures.resize(count);
     if (Status status = check_textures(path, packed.layout, packed.textures); !status)
       return status.error();
     packed.precision = packed.textures[0].precision;

@@ -194,6 +194,12 @@ TEST_CASE("textures and descriptions that do not belong together are refused") {
   CHECK_FALSE(refusal("{", "").empty());
   write_text(json, good);
   REQUIRE(read_packed(path));
+  // A later table of one texture by the same name: its description is not that of the older two.
+  const std::string other = folder.file("v.npy");
+  REQUIRE(write_packed(small_packed(Layout::ltc_code, Precision::float32), other));
+  REQUIRE(write_packed(small_packed(Layout::unity, Precision::float32), other));
+  CHECK(read_packed(other));
+  CHECK_FALSE(read_packed(folder.file("v_1.npy")));
   REQUIRE(write_packed(small_packed(Layout::native, Precision::float16), folder.file("u.npy")));
   fs::rename(folder.file("u_2.npy"), folder.file("t_2.npy"));
   CHECK_FALSE(read_packed(path)); // one in half, one in single precision
