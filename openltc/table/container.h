@@ -12,12 +12,12 @@
 
 namespace openltc::table {
 
-// A writer cannot fail on a texture that check_texture_size accepts. A reader takes any bytes: it
-// gives a texture of finite values or an error that begins with `name`.
+// A writer takes 1, 2 or 4 channels, as tables have them, and a size that check_texture_size
+// accepts. A reader takes any bytes: it gives a texture of finite values or an error that begins
+// with `name`.
 
-/// DirectDraw surface with a DX10 header: R, RG or RGBA (three channels get a fourth, 0), 16 or 32
-/// bits. Holds no metadata. The reader also takes the older header with FourCC 111 to 116; of mip
-/// levels it reads the first.
+/// DirectDraw surface with a DX10 header: R, RG or RGBA, 16 or 32 bits. Holds no metadata. The
+/// reader also takes the older header with FourCC 111 to 116; of mip levels it reads the first.
 Bytes encode_dds(const Texture& texture);
 Result<Texture> decode_dds(ByteView bytes, const std::string& name);
 
