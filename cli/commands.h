@@ -15,6 +15,7 @@ enum ExitCode { k_exit_ok = 0, k_exit_failed = 1, k_exit_usage = 2 };
 /// Adds the sub-command with its options to `app`. When it is chosen, its callback runs the job,
 /// prints errors to stderr and stores the exit code in `exit_code`.
 void add_compare(CLI::App& app, int& exit_code);
+void add_convert(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
 void add_inspect(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);

@@ -1,20 +1,22 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// openltc fit: from a BRDF to a lobe table and the report of its error.
+// openltc fit: from a BRDF to a lobe table or polynomial, and the report of its error.
 
+#include "cli/against.h"
+#include "cli/choice.h"
 #include "cli/commands.h"
+#include "cli/fit_job.h"
 #include "cli/output_place.h"
 #include "openltc/base/atomic_file.h"
-#include "openltc/brdf/brdf.h"
-#include "openltc/fit/error.h"
-#include "openltc/fit/table_fit.h"
-#include "openltc/table/table_file.h"
+#include "openltc/brdf/choose.h"
+#include "openltc/fit/limit.h"
+#include "openltc/fit/polynomial_fit.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -26,127 +28,160 @@ namespace openltc::cli {
 namespace {
 
 struct FitArguments {
-  std::string brdf = "ggx";
-  int size = 64;
+  FitChoices choices;
   std::vector<std::string> outputs;
-  std::string report;
+  std::vector<std::string> reports;
+  std::vector<std::string> against;
+  bool list = false;
   bool quiet = false;
 };
-
-// The regions of docs and MATHS.md: what scenes use, and the nearly specular end.
-struct Region {
-  const char* name;
-  fit::MeasureOptions options;
-};
-std::vector<Region> regions() {
-  fit::MeasureOptions rough, sharp;
-  sharp.roughness_from = 0.01;
-  sharp.roughness_to = 0.06;
-  return {{"roughness .06-1", rough}, {"roughness .01-.06", sharp}};
-}
-
-std::string error_row(const char* label, const fit::LobeError& e) {
-  return fmt::format("  {:<5} {:.4f} {:.4f} {:.4f} {:.4f} {:.4f} {:.4f} {:.1e} {:.1e}\n", label,
-                     e.tv, e.l1, e.l2, e.l3, e.peak, e.leak, e.n1, e.n5);
-}
-
-std::string error_text(const Region& region, const fit::TableError& e) {
-  std::string text = fmt::format("{}, theta to {} degrees, {} x {} points between the nodes\n"
-                                 "        TV     L1     L2     L3     peak   leak   n1      n5\n",
-                                 region.name, e.theta_to_degrees, e.points, e.points);
-  return text + error_row("mean", e.mean) + error_row("p95", e.p95) + error_row("max", e.max);
-}
-
-std::string json_row(const fit::LobeError& e) {
-  return fmt::format("{{\"tv\": {}, \"l1\": {}, \"l2\": {}, \"l3\": {}, \"peak\": {}, \"leak\": "
-                     "{}, \"n1\": {}, \"n5\": {}}}",
-                     e.tv, e.l1, e.l2, e.l3, e.peak, e.leak, e.n1, e.n5);
-}
-
-std::string report_json(const std::string& command, const std::vector<fit::TableError>& errors,
-                        double second_difference, double seconds) {
-  std::string text = fmt::format("{{\n\"command\": \"{}\",\n\"seconds\": {:.3f},\n\"regions\": [\n",
-                                 command, seconds);
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const fit::TableError& e = errors[i];
-    text += fmt::format("{{\"roughness\": [{}, {}], \"theta_to_degrees\": {}, \"points\": {},\n"
-                        " \"mean\": {},\n \"p95\": {},\n \"max\": {}}}{}\n",
-                        e.roughness_from, e.roughness_to, e.theta_to_degrees, e.points,
-                        json_row(e.mean), json_row(e.p95), json_row(e.max),
-                        i + 1 < errors.size() ? "," : "");
-  }
-  return text + fmt::format("],\n\"second_difference\": {}\n}}\n", second_difference);
-}
 
 int fail(const Error& error) {
   fmt::print(stderr, "openltc fit: {}\n", error.message);
   return k_exit_failed;
 }
 
-int run_fit(const FitArguments& arguments) {
-  const brdf::Brdf* brdf = brdf::find_brdf(arguments.brdf);
-  fit::TableFitOptions options;
-  options.size = arguments.size;
-
-  for (const std::string& path : arguments.outputs) {
-    if (Status status = table::check_writable_extension(path); !status) return fail(status.error());
-    if (Status status = check_place(path); !status) return fail(status.error());
+int list_brdfs() {
+  for (const brdf::Brdf& b : brdf::all_brdfs()) {
+    fmt::print("{:<14} {}\n{:14} {}\n", b.name, b.variant, "", b.source);
+    fmt::print("{:14} {}\n", "", b.has_parameter() ? "roughness: " + b.parameter : "no parameter");
   }
-  if (!arguments.report.empty())
-    if (Status status = check_place(arguments.report); !status) return fail(status.error());
+  fmt::print("{:<14} a measured material of the MERL database, isotropic; no parameter\n{:14} "
+             "Matusik, Pfister, Brand, McMillan 2003, A Data-Driven Reflectance Model\n",
+             "FILE.binary", "");
+  return k_exit_ok;
+}
 
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const auto begin = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
+// As against a name, which is then wrong usage.
+bool is_file(const std::string& brdf) {
+  return std::filesystem::path(brdf).extension() == ".binary";
+}
+
+bool is_page(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".html" || extension == ".htm";
+}
+
+Status check_report(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension != ".json" && !is_page(path))
+    return Error{path + ": a report is written as .json or .html"};
+  return check_place(path);
+}
+
+Status write_text(const std::string& path, const std::string& text) {
+  return write_atomically(path, [&](const std::string& temporary) -> Status {
+    std::ofstream file(temporary, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) return Error{path + ": cannot write; is the disk full?"};
+    return Success{};
+  });
+}
+
+fit::Candidate subject_of(FittedLobes& fitted, const FitChoices& choices) {
+  fit::Candidate c;
+  c.label = choices.form == LobeForm::polynomial
+                ? fmt::format("{}, degree {}", choices.objective, choices.degree)
+                : fmt::format("{}, {}", choices.objective, choices.size);
+  c.lobes = fitted.lobes();
+  c.horizon = fitted.horizon;
+  if (choices.clip_aware && choices.layout != table::Layout::native)
+    // The amplitudes hold one over the share already.
+    c.lobes = [lobes = c.lobes](double roughness, double cos_theta) {
+      f64::FittedLobe fetched = lobes(roughness, cos_theta);
+      const double above = std::max(fit::above_horizon(fetched.lobe), f64::k_min_share);
+      fetched.n1 *= above;
+      fetched.n5 *= above;
+      return fetched;
+    };
+  const table::TableMetadata& m = fitted.metadata();
+  for (const table::MetadataField& field : table::k_metadata_fields)
+    if (field.text && !(m.*field.text).empty()) c.metadata.emplace_back(field.name, m.*field.text);
+  if (choices.form == LobeForm::table)
+    c.metadata.emplace_back(
+        "layout", fmt::format("{}, {}", name_of(choices.layout), name_of(choices.precision)));
+  if (!fitted.note.empty()) c.metadata.emplace_back("proof", fitted.note);
+  if (fitted.native) c.nodes = fit::node_axes(*fitted.native, fit::MeasureOptions{0, 1, 90});
+  return c;
+}
+
+// The report's candidates: what was fitted, the best that any single lobe could do, and the files
+// to compare with.
+Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
+                                    const FitArguments& arguments) {
+  std::vector<fit::Candidate> candidates = {subject_of(fitted, arguments.choices)};
+  for (const std::string& path : arguments.against) {
+    std::string note;
+    Result<fit::Candidate> other = read_candidate(path, note);
+    if (!other) return other.error();
+    if (!note.empty() && !arguments.quiet) fmt::print(stderr, "{}\n", note);
+    candidates.push_back(std::move(*other));
+  }
+  if (!arguments.reports.empty()) {
+    fit::Candidate limit;
+    limit.label = "limit";
+    limit.horizon = fitted.horizon;
+    limit.lobes = fit::best_single_lobes(brdf, fitted.lobes(), fitted.objective);
+    limit.metadata = {{"what", fmt::format("the best single lobe at every point by itself, {}",
+                                           fitted.objective.name)}};
+    limit.is_limit = true;
+    candidates.push_back(std::move(limit));
+  }
+  fit::ReportOptions options;
+  options.title = fmt::format("{}: error of fitted lobes", brdf.name);
+  options.command = command_of(arguments.choices);
+  for (const std::string& path : arguments.against)
+    options.command += fmt::format(" --against {}", path);
+  options.tool_version = OPENLTC_VERSION;
+  options.fit_seconds = fitted.seconds;
+  return fit::make_report(brdf, candidates, options);
+}
+
+int run_fit(const FitArguments& arguments) {
+  if (arguments.list) return list_brdfs();
+  const FitChoices& choices = arguments.choices;
+  const Result<brdf::Brdf> brdf = brdf::choose_brdf(choices.brdf);
+  if (!brdf) {
+    fail(brdf.error());
+    return is_file(choices.brdf) ? k_exit_failed : k_exit_usage;
+  }
+  if (Status status = check_outputs(choices, arguments.outputs); !status)
+    return fail(status.error());
+  for (const std::string& path : arguments.reports)
+    if (Status status = check_report(path); !status) return fail(status.error());
+
+  const bool terminal = isatty(STDERR_FILENO) != 0 && !arguments.quiet;
   const auto progress = [&](double share) {
-    if (arguments.quiet || !terminal) return;
-    fmt::print(stderr, "\rfitting {} {}x{}: {:3.0f} %, {:.0f} s left ", brdf->name, options.size,
-               options.size, share * 100, elapsed() * (1 - share) / share);
+    if (!terminal) return;
+    fmt::print(stderr, "\rfitting {}: {:3.0f} % ", brdf->name, share * 100);
     std::fflush(stderr);
   };
-  Result<table::LobeTable> fitted = fit::fit_table(*brdf, options, progress);
-  if (!arguments.quiet && terminal) fmt::print(stderr, "\r{:60}\r", "");
+  Result<FittedLobes> fitted = fit_lobes(*brdf, choices, progress);
+  if (terminal) fmt::print(stderr, "\r{:60}\r", "");
   if (!fitted) return fail(fitted.error());
-  const double seconds = elapsed();
-  table::LobeTable& table = *fitted;
-
-  std::vector<fit::TableError> errors;
-  std::string text;
-  for (const Region& region : regions()) {
-    Result<fit::TableError> error = fit::measure_lobes(*brdf, fit::lobes_of(table), region.options);
-    if (!error) return fail(error.error());
-    errors.push_back(*error);
-    text += error_text(region, errors.back());
+  if (!arguments.quiet) {
+    fmt::print(stderr, "fitted {} in {:.3f} s\n", brdf->name, fitted->seconds);
+    if (!fitted->note.empty()) fmt::print(stderr, "{}\n", fitted->note);
   }
-  fit::describe_table(table, errors[0], OPENLTC_VERSION,
-                      fmt::format("openltc fit --brdf {} --size {}", brdf->name, options.size));
-  if (!arguments.quiet)
-    fmt::print(stderr, "fitted {} {}x{} in {:.1f} s\n", brdf->name, options.size, options.size,
-               seconds);
-  fmt::print("{}mean second difference of A B C D: {:.2e}\n", text,
-             fit::mean_second_difference(table));
+  const Result<fit::Report> report = make_fit_report(*brdf, *fitted, arguments);
+  if (!report) return fail(report.error());
+  fmt::print("{}", fit::to_text(*report));
 
+  std::vector<std::string> written;
   for (const std::string& path : arguments.outputs) {
-    const Status status = table::write_table(table, path);
-    if (!status.ok()) return fail(status.error());
-    if (!arguments.quiet) fmt::print(stderr, "wrote {}\n", path);
+    const Result<std::vector<std::string>> files = write_lobes(*fitted, path);
+    if (!files) return fail(files.error());
+    written.insert(written.end(), files->begin(), files->end());
   }
-  if (!arguments.report.empty()) {
-    const std::string json =
-        report_json(table.metadata.command, errors, fit::mean_second_difference(table), seconds);
-    const Status status =
-        write_atomically(arguments.report, [&](const std::string& temporary) -> Status {
-          std::ofstream file(temporary, std::ios::binary);
-          file << json;
-          file.close();
-          if (!file) return Error{arguments.report + ": cannot write"};
-          return Success{};
-        });
-    if (!status.ok()) return fail(status.error());
-    if (!arguments.quiet) fmt::print(stderr, "wrote {}\n", arguments.report);
+  for (const std::string& path : arguments.reports) {
+    const std::string text = is_page(path) ? fit::to_html(*report) : fit::to_json(*report);
+    if (Status status = write_text(path, text); !status) return fail(status.error());
+    written.push_back(path);
   }
+  if (!arguments.quiet)
+    for (const std::string& path : written)
+      fmt::print(stderr, "wrote {}\n", path);
   return k_exit_ok;
 }
 
@@ -154,36 +189,96 @@ int run_fit(const FitArguments& arguments) {
 
 void add_fit(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<FitArguments>();
+  FitChoices& c = arguments->choices;
   CLI::App* command =
-      app.add_subcommand("fit", "Fit a table of lobes to a BRDF and report how far it is from it");
+      app.add_subcommand("fit", "Fit lobes to a BRDF, as a table or a polynomial, and report how "
+                                "far they are from it");
   command->footer(
-      "For every roughness and view angle the linearly transformed cosine is found that\n"
-      "comes closest to the BRDF. The error is measured between the nodes, through the\n"
-      "look-up that shading uses: total variation (TV) bounds the shading error of any\n"
-      "light, L1 L2 L3 are relative norms, peak is the error of the highlight's brightest\n"
-      "point, leak the share of the lobe below the surface.\n"
+      "For every roughness and view angle the linearly transformed cosine is found that comes\n"
+      "closest to the BRDF. Objectives: balanced, better than the published table in every norm\n"
+      "at once; tv, least total variation; l2 and l3, least relative squares or cubes, which\n"
+      "hold on to the peak. The error is measured between the nodes, through the look-up of\n"
+      "the layout and in the precision that is written. Total variation (TV) is a bound: no\n"
+      "light of radiance up to L_max errs by more than E TV L_max, E the albedo.\n"
+      "\n"
+      "Layouts: native, for this project's shading (low roughness and small tables stay good);\n"
+      "ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP); godot; o3de.\n"
+      "A form without a table: polynomials, whose lobes are proven never to turn inside out.\n"
       "\n"
       "Examples:\n"
-      "  openltc fit                              errors only\n"
-      "  openltc fit --size 32 -o ggx32.json      a smaller table\n"
-      "  openltc fit -o ggx.json --report ggx-errors.json");
-  std::vector<std::string> known;
-  for (const brdf::Brdf& b : brdf::all_brdfs())
-    known.push_back(b.name);
-  command->add_option("--brdf", arguments->brdf, "BRDF to fit")
-      ->check(CLI::IsMember(known))
+      "  openltc fit                                        GGX, errors only\n"
+      "  openltc fit --list                                 the BRDFs\n"
+      "  openltc fit --brdf charlie --size 32 -o sheen.json\n"
+      "  openltc fit --layout ltc_code -o ggx.dds           writes ggx_1.dds and ggx_2.dds\n"
+      "  openltc fit --form polynomial -o lobes.glsl        a function to paste\n"
+      "  openltc fit --report ggx.html --against ltc_1.dds  a page of figures and heat maps\n"
+      "  openltc fit --brdf gold-paint.binary -o gold.json  a measured material");
+  command->add_option("--brdf", c.brdf, "BRDF by name (--list), or a MERL file FILE.binary")
       ->capture_default_str();
-  command->add_option("--size", arguments->size, "Nodes per axis")
+  command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
+  command->add_option("--size", c.size, "Nodes per axis of a table")
       ->check(CLI::Range(2, 512))
       ->capture_default_str();
+  command->add_option("--objective", c.objective, "What the fit minimises")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(fit::k_objective_names),
+                                                     std::end(fit::k_objective_names))))
+      ->capture_default_str();
+  const Choices<LobeForm> forms = {{"table", LobeForm::table},
+                                   {"polynomial", LobeForm::polynomial}};
+  command->add_option("--form", c.form, "Table, or polynomials instead of one [table]")
+      ->transform(one_of(forms))
+      ->type_name(words_of(forms));
+  command->add_option("--degree", c.degree, "Total degree of the polynomials")
+      ->check(CLI::Range(table::LobePolynomial::k_min_degree, table::LobePolynomial::k_max_degree))
+      ->capture_default_str();
+  Choices<table::Layout> layouts;
+  for (const table::Layout layout : table::all_layouts())
+    layouts.emplace_back(name_of(layout), layout);
+  auto* layout = command->add_option("--layout", c.layout, "Whose look-up reads the table [native]")
+                     ->transform(one_of(layouts))
+                     ->type_name(words_of(layouts));
+  const Choices<table::Precision> precisions = {
+      {name_of(table::Precision::float32), table::Precision::float32},
+      {name_of(table::Precision::float16), table::Precision::float16}};
+  auto* precision = command->add_option("--precision", c.precision, "Numbers of a table [float32]")
+                        ->transform(one_of(precisions))
+                        ->type_name(words_of(precisions));
+  const Choices<fit::Refine> refines = {
+      {"auto", fit::Refine::automatic}, {"on", fit::Refine::on}, {"off", fit::Refine::off}};
+  command
+      ->add_option("--refine", c.refine,
+                   "Fit all nodes once more, jointly, through the bilinear look-up; auto does so "
+                   "up to 32 nodes [auto]")
+      ->transform(one_of(refines))
+      ->type_name(words_of(refines));
+  command->add_flag("--clip-aware", c.clip_aware,
+                    "For layouts other than native: fit for a renderer that clips lights at the "
+                    "surface's horizon, amplitudes over the share of the lobe above it");
   command
       ->add_option("-o,--output", arguments->outputs,
-                   "File to write: .json (lossless, with metadata), or .cpp/.inc (the C++ source "
-                   "of the built-in table). May be repeated")
+                   "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "
+                   ".hlsl .wgsl .js, or .cpp/.inc, C++ source of the built-in. May be repeated")
       ->allow_extra_args(false);
-  command->add_option("--report", arguments->report, "Write the errors as JSON to this file");
+  command
+      ->add_option("--report", arguments->reports,
+                   "Write the report to this .json or .html file. May be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--against", arguments->against,
+                   "A table or polynomial to compare with: any file that this tool writes, or a "
+                   "bare published texture. May be repeated")
+      ->allow_extra_args(false);
   command->add_flag("--quiet", arguments->quiet, "No progress and messages on stderr");
-  command->callback([arguments, &exit_code] { exit_code = run_fit(*arguments); });
+  command->callback([arguments, layout, precision, &exit_code] {
+    const FitChoices& choices = arguments->choices;
+    if (choices.form == LobeForm::polynomial && (*layout || *precision)) {
+      fmt::print(stderr, "openltc fit: --layout and --precision are for tables, not for --form "
+                         "polynomial\n");
+      exit_code = k_exit_usage;
+      return;
+    }
+    exit_code = run_fit(*arguments);
+  });
 }
 
 } // namespace openltc::cli

@@ -6,6 +6,7 @@
 #include "cli/inspect.h"
 
 #include "cli/commands.h"
+#include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
 
@@ -30,23 +31,29 @@ struct Kind {
   Result<Description> (*inspect)(const std::string& path);
 };
 constexpr Kind k_kinds[] = {
-    {".gltf", inspect_scene},   {".glb", inspect_scene},   {".exr", inspect_picture},
+    {".gltf", inspect_scene},   {".glb", inspect_scene},   {".exr", inspect_exr},
     {".hdr", inspect_picture},  {".png", inspect_picture}, {".jpg", inspect_picture},
-    {".jpeg", inspect_picture}, {".json", inspect_table},
+    {".jpeg", inspect_picture}, {".json", inspect_table},  {".dds", inspect_table},
+    {".ktx2", inspect_table},   {".npy", inspect_table},
 };
 
 Result<Description> describe(const std::string& path) {
   std::error_code ec;
   const auto status = std::filesystem::status(path, ec);
-  if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
   if (std::filesystem::is_directory(status)) return Error{fmt::format("{}: is a directory", path)};
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   for (const Kind& kind : k_kinds)
-    if (extension == kind.extension) return kind.inspect(path);
+    if (extension == kind.extension) {
+      // A table of two files goes by the name of neither: ggx.dds is ggx_1.dds and ggx_2.dds.
+      const bool may_be_two = kind.inspect == inspect_table || kind.inspect == inspect_exr;
+      if (!std::filesystem::exists(status) && !(may_be_two && table::table_exists(path))) break;
+      return kind.inspect(path);
+    }
+  if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
   return Error{fmt::format("{}: cannot tell what it is; known are scenes (.gltf .glb), pictures "
-                           "(.exr .hdr .png .jpg) and lobe tables (.json)",
+                           "(.exr .hdr .png .jpg) and lobe tables (.json .dds .ktx2 .exr .npy)",
                            path)};
 }
 
@@ -76,12 +83,18 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "A scene (.gltf .glb): geometry, cameras by number and name, lights in nits, candela and\n"
       "lumens, and what the importer warns about. A picture (.exr .hdr .png .jpg): size, layers,\n"
       "range and mean of each channel, NaN and infinities, and for scene-linear ones the exposure\n"
-      "that --exposure auto would choose. A lobe table (.json): its metadata and ranges.\n"
+      "that --exposure auto would choose. A lobe table (.json .dds .ktx2 .exr .npy): its "
+      "metadata,\n"
+      "errors and ranges; for a bare texture, which does not say what it is, how well every known\n"
+      "layout and axis fits every named BRDF, the best first. An .exr is taken for a table when "
+      "its\n"
+      "attributes say so or NAME_1.exr and NAME_2.exr lie side by side.\n"
       "\n"
       "Examples:\n"
       "  openltc inspect room.glb\n"
       "  openltc inspect truth.exr --json\n"
-      "  openltc fit -o ggx.json && openltc inspect ggx.json");
+      "  openltc fit -o ggx.json && openltc inspect ggx.json\n"
+      "  openltc inspect ltc_1.dds");
   command->add_option("file", arguments->path, "File to look at")->required();
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->callback([arguments, &exit_code] { exit_code = run_inspect(*arguments); });

@@ -18,8 +18,12 @@ struct Description {
   nlohmann::ordered_json json;
 };
 
-/// A lobe table, .json.
+/// A lobe table, .json .dds .ktx2 .npy: metadata, errors, ranges; for a bare texture what it most
+/// probably is.
 Result<Description> inspect_table(const std::string& path);
+/// An .exr: a table when its attributes say so or NAME_1.exr and NAME_2.exr of one small size lie
+/// side by side, a picture otherwise.
+Result<Description> inspect_exr(const std::string& path);
 /// A picture, .exr .hdr .png .jpg: size, layers, range of each channel, exposure.
 Result<Description> inspect_picture(const std::string& path);
 /// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, warnings.

@@ -128,10 +128,21 @@ double mean_second_difference(const LobeFunction& lobes, int points) {
 
 LobeFunction lobes_of(const table::LobeTable& table) {
   return [&table](double roughness, double cos_theta) {
-    const double alpha = f64::alpha_from_roughness(roughness);
-    const double width = table.width == brdf::LobeWidth::alpha ? alpha : 1.0;
-    return f64::fetch_lobe_of_width(table.view(), alpha, width, cos_theta);
+    return table::fetch_native(table, roughness, cos_theta);
   };
+}
+
+LobeFunction lobes_of(const table::PackedTable& packed) {
+  return [&packed](double roughness, double cos_theta) {
+    return table::fetch_packed(packed, roughness, cos_theta);
+  };
+}
+
+Horizon horizon_of(const table::PackedTable& packed) {
+  const std::string& said = packed.metadata.horizon;
+  if (said == name_of(Horizon::clipped)) return Horizon::clipped;
+  if (said == name_of(Horizon::leaking)) return Horizon::leaking;
+  return packed.layout == table::Layout::native ? Horizon::clipped : Horizon::leaking;
 }
 
 double theta_at(double t, double theta_to_degrees, table::AngleAxis axis) {

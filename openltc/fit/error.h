@@ -9,6 +9,7 @@
 #include "openltc/brdf/brdf.h"
 #include "openltc/fit/horizon.h"
 #include "openltc/fit/quadrature.h"
+#include "openltc/table/layout.h"
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f64.h"
 
@@ -57,6 +58,13 @@ using LobeFunction = std::function<f64::FittedLobe(double roughness, double cos_
 /// The look-up of a native table, which must outlive the function.
 LobeFunction lobes_of(const table::LobeTable& table);
 
+/// The look-up of a table of any layout, as its engines do it; it must outlive the function.
+LobeFunction lobes_of(const table::PackedTable& packed);
+
+/// How a table's lobes are to be read: as its metadata says, otherwise clipped for the native
+/// layout, which our shading reads, and leaking for those of other engines.
+Horizon horizon_of(const table::PackedTable& packed);
+
 /// Where lobes are measured: every roughness with every view angle.
 struct MeasureAxes {
   std::vector<double> roughness;
@@ -101,7 +109,8 @@ struct MeasureOptions {
   double roughness_to = 1.0;
   double theta_to_degrees = 89.7;
   int points = 40; ///< per axis, at the midpoints of cells, uniform in roughness and angle_axis
-  table::AngleAxis angle_axis = table::AngleAxis::theta;
+  /// The native table's own axis: every part of a table counts alike.
+  table::AngleAxis angle_axis = table::AngleAxis::sqrt_one_minus_cos;
   QuadratureSize quadrature{40, 32};
   Horizon horizon = Horizon::leaking;
 };

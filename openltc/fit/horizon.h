@@ -11,4 +11,9 @@ enum class Horizon {
   clipped  ///< shading divides by the share above, as shade/surface.glsl does: D / (1 - leak)
 };
 
+/// "leaking" or "clipped", as in a table's metadata.
+constexpr const char* name_of(Horizon horizon) {
+  return horizon == Horizon::clipped ? "clipped" : "leaking";
+}
+
 } // namespace openltc::fit

@@ -170,6 +170,7 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   result.polynomial.metadata.brdf = brdf.name;
   result.polynomial.metadata.variant = brdf.variant;
   result.polynomial.metadata.objective = options.objective.name;
+  result.polynomial.metadata.horizon = name_of(options.objective.horizon);
   return result;
 }
 

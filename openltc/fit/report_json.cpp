@@ -28,11 +28,6 @@ Json numbers(const std::vector<double>& values) {
   return array;
 }
 
-const char* name_of(Horizon horizon) { return horizon == Horizon::clipped ? "clipped" : "leaking"; }
-const char* name_of(table::AngleAxis axis) {
-  return axis == table::AngleAxis::theta ? "theta" : "sqrt(1 - cos theta)";
-}
-
 Json json_of(const LobeError& e) {
   Json object = Json::object();
   for (const LobeErrorField& field : lobe_error_fields())

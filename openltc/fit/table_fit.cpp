@@ -303,18 +303,19 @@ Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& optio
   result.metadata.brdf = brdf.name;
   result.metadata.variant = brdf.variant;
   result.metadata.objective = options.lobe.objective.name;
+  result.metadata.horizon = name_of(options.lobe.objective.horizon);
   return result;
 }
 
-void describe_table(LobeTable& table, const TableError& error, const char* tool_version,
-                    const std::string& command) {
+void complete_metadata(table::TableMetadata& metadata, const TableError& error,
+                       const char* tool_version, const std::string& command) {
   const auto four_digits = [](double x) {
     return std::strtod(fmt::format("{:.3e}", x).c_str(), nullptr);
   };
-  table.metadata.mean_tv = four_digits(error.mean.tv);
-  table.metadata.max_tv = four_digits(error.max.tv);
-  table.metadata.tool_version = tool_version;
-  table.metadata.command = command;
+  metadata.mean_tv = four_digits(error.mean.tv);
+  metadata.max_tv = four_digits(error.max.tv);
+  metadata.tool_version = tool_version;
+  metadata.command = command;
 }
 
 } // namespace openltc::fit

@@ -54,9 +54,9 @@ double cosine_at(double position, table::AngleAxis axis);
 Result<table::LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& options,
                                    const std::function<void(double)>& progress = {});
 
-/// Fills in what the table says about itself: the errors of the first region rounded to four
-/// digits, the version of the tool, and the command that makes the same table again.
-void describe_table(table::LobeTable& table, const TableError& error, const char* tool_version,
-                    const std::string& command);
+/// Fills in what a table or polynomial says about itself: its errors rounded to four digits, the
+/// version of the tool, and the command that makes the same again.
+void complete_metadata(table::TableMetadata& metadata, const TableError& error,
+                       const char* tool_version, const std::string& command);
 
 } // namespace openltc::fit

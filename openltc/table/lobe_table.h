@@ -15,13 +15,35 @@ namespace openltc::table {
 
 /// What a table says about itself. Travels with every file.
 struct TableMetadata {
-  std::string brdf;         ///< e.g. "ggx"
-  std::string variant;      ///< e.g. "height-correlated Smith, F = 1"
-  std::string objective;    ///< what the fit minimised
+  std::string brdf;      ///< e.g. "ggx"
+  std::string variant;   ///< e.g. "height-correlated Smith, F = 1"
+  std::string objective; ///< what the fit minimised
+  /// How the lobe is meant to be read at the surface's horizon: "clipped", divided by its share
+  /// above, or "leaking", as it is. Empty: not known.
+  std::string horizon;
   std::string command;      ///< the command that made it
   std::string tool_version; ///< of OpenLTC
   double mean_tv = 0;       ///< mean total variation, interpolation included; see fit/report
   double max_tv = 0;
+};
+
+/// One field of TableMetadata by its name in files: text or number.
+struct MetadataField {
+  const char* name;
+  std::string TableMetadata::*text;
+  double TableMetadata::*number;
+};
+
+/// All fields, in the order in which files hold them.
+inline constexpr MetadataField k_metadata_fields[] = {
+    {"brdf", &TableMetadata::brdf, nullptr},
+    {"variant", &TableMetadata::variant, nullptr},
+    {"objective", &TableMetadata::objective, nullptr},
+    {"horizon", &TableMetadata::horizon, nullptr},
+    {"command", &TableMetadata::command, nullptr},
+    {"tool_version", &TableMetadata::tool_version, nullptr},
+    {"mean_tv", nullptr, &TableMetadata::mean_tv},
+    {"max_tv", nullptr, &TableMetadata::max_tv},
 };
 
 /// What the rows of a table are equidistant in.

@@ -126,6 +126,8 @@ std::string body(const LobePolynomial& polynomial, SourceLanguage language) {
   const std::string zero = w.number(0), one = w.number(1), two = w.number(2);
   const std::string half = w.number(0.5), tiny = w.number(1e-30);
   w.value("alpha", w.clamped("roughness * roughness", w.number(1e-4), one));
+  const bool narrow = polynomial.width == brdf::LobeWidth::alpha;
+  w.value("width", narrow ? "alpha" : one);
   w.value("cos_o", w.clamped("cos_theta", zero, one));
   w.value("sin_o", w.sqrt(one + " - cos_o * cos_o"));
   w.value("u1", two + " * " + w.sqrt("alpha") + " - " + one);
@@ -135,15 +137,16 @@ std::string body(const LobePolynomial& polynomial, SourceLanguage language) {
   for (int k = 0; k < 6; ++k)
     w.value(channels[k], channel_sum(w, polynomial, k));
   w.result();
-  w.field("m00", "a * cos_o - alpha * b * sin_o");
-  w.field("m02", "a * sin_o + alpha * b * cos_o");
-  w.field("m20", "alpha * (c * cos_o - d * sin_o)");
-  w.field("m22", "alpha * (c * sin_o + d * cos_o)");
-  w.field("det", w.max("alpha * (a * d - alpha * b * c)", tiny));
+  // What was factored out of M^-1: alpha, or 1.
+  w.field("m00", "a * cos_o - width * b * sin_o");
+  w.field("m02", "a * sin_o + width * b * cos_o");
+  w.field("m20", "width * (c * cos_o - d * sin_o)");
+  w.field("m22", "width * (c * sin_o + d * cos_o)");
+  w.field("det", w.max("width * (a * d - width * b * c)", tiny));
   w.value("length2", "lobe.m00 * lobe.m00 + lobe.m20 * lobe.m20");
   w.field("share",
           fmt::format("{} + {} * lobe.m00 / {}", half, half, w.sqrt(w.max("length2", tiny))));
-  w.field("n1", w.clamped("n1", zero, one));
+  w.field("n1", narrow ? w.clamped("n1", zero, one) : w.max("n1", zero));
   w.field("n5", w.clamped("n5", zero, "lobe.n1"));
   w.line("return lobe;");
   return w.text();

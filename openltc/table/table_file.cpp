@@ -4,6 +4,8 @@
 #include "openltc/table/table_file.h"
 
 #include "openltc/base/atomic_file.h"
+#include "openltc/table/description.h"
+#include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
 
@@ -20,27 +22,23 @@ namespace openltc::table {
 namespace {
 
 constexpr const char* k_format = "openltc-lobe-table";
-constexpr int k_version = 1;
-constexpr int k_stored = 6; // the last two channels of a texel are padding
+constexpr int k_version = 2; // 1: square, sqrt(1 - cos theta), width alpha
+constexpr int k_stored = 6;  // the last two channels of a texel are padding
 constexpr int k_max_size = 512;
 
 // One texel a line: six numbers, each the shortest that reads back as the same float.
 std::string number_rows(const LobeTable& table) {
   std::string rows;
-  const int count = table.columns * table.columns;
+  const int count = table.columns * table.rows;
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k < k_stored; ++k) {
-      const float value = table.texels[std::size_t(i) * LobeTable::k_channels + std::size_t(k)];
-      // "-0" would read back as the integer 0.
-      rows += value == 0 && std::signbit(value) ? std::string("-0.0") : fmt::format("{}", value);
+      rows += json_number(table.texels[std::size_t(i) * LobeTable::k_channels + std::size_t(k)]);
       if (k + 1 < k_stored) rows += ",";
     }
     rows += i + 1 < count ? ",\n" : "\n";
   }
   return rows;
 }
-
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string text_of(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
@@ -64,15 +62,18 @@ std::string to_json(const LobeTable& table) {
   std::string out = "{\n";
   out += fmt::format("\"format\": \"{}\",\n\"version\": {},\n", k_format, k_version);
   out += "\"metadata\": {\n";
-  out += fmt::format("  \"brdf\": {},\n  \"variant\": {},\n", quoted(m.brdf), quoted(m.variant));
-  out += fmt::format("  \"objective\": {},\n", quoted(m.objective));
-  out += fmt::format("  \"command\": {},\n", quoted(m.command));
-  out += fmt::format("  \"tool_version\": {},\n", quoted(m.tool_version));
-  out += fmt::format("  \"mean_tv\": {},\n  \"max_tv\": {}\n}},\n", m.mean_tv, m.max_tv);
-  out += fmt::format("\"size\": {},\n", table.columns);
-  out += "\"axes\": [\"x, fast: sqrt(alpha) = roughness, node i at i/(size-1)\", "
-         "\"y: sqrt(1 - cos theta), node j at j/(size-1)\"],\n";
-  out += "\"packing\": \"mirror frame: M^-1 = [A 0 aB; 0 1 0; aC 0 aD], a = alpha, acting on "
+  for (const MetadataField& field : k_metadata_fields)
+    out += fmt::format("  \"{}\": {}{}\n", field.name,
+                       field.text ? json_quoted(m.*field.text) : fmt::format("{}", m.*field.number),
+                       &field == std::end(k_metadata_fields) - 1 ? "" : ",");
+  out += "},\n";
+  out += fmt::format("\"columns\": {},\n\"rows\": {},\n", table.columns, table.rows);
+  out += fmt::format("\"angle_axis\": \"{}\",\n", name_of(table.angle_axis));
+  out +=
+      fmt::format("\"width\": \"{}\",\n", table.width == brdf::LobeWidth::alpha ? "alpha" : "one");
+  out += "\"axes\": [\"x, fast: sqrt(alpha) = roughness, node i at i/(columns-1)\", "
+         "\"y: angle_axis (theta over pi/2), node j at j/(rows-1)\"],\n";
+  out += "\"packing\": \"mirror frame: M^-1 = [A 0 wB; 0 1 0; wC 0 wD], w = width, acting on "
          "(x', y, z'), x' = (cos, 0, sin), z' = (-sin, 0, cos)\",\n";
   out += "\"channels\": [\"A\", \"B\", \"C\", \"D\", \"n1\", \"n5\"],\n";
   out += "\"texels\": [\n" + number_rows(table) + "]\n}\n";
@@ -85,20 +86,40 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
   if (!root.is_object() || text_of(root, "format") != k_format)
     return Error{
         fmt::format("{}: format is not \"{}\"; openltc fit writes such tables", name, k_format)};
-  if (number_of(root, "version") != k_version)
-    return Error{fmt::format("{}: version is not {}, the one this build reads", name, k_version)};
+  const double version = number_of(root, "version");
+  if (version != 1 && version != k_version)
+    return Error{
+        fmt::format("{}: version is not 1 or {}, those this build reads", name, k_version)};
 
-  const double size = number_of(root, "size");
-  if (!(size >= 2 && size <= k_max_size && size == std::floor(size)))
-    return Error{fmt::format("{}: size must be a whole number from 2 to {}", name, k_max_size)};
+  LobeTable table;
+  const bool square = version == 1;
+  const double columns = number_of(root, square ? "size" : "columns");
+  const double rows = number_of(root, square ? "size" : "rows");
+  const auto is_size = [](double size, double least) {
+    return size >= least && size <= k_max_size && size == std::floor(size);
+  };
+  if (!is_size(columns, square ? 2 : 1) || !is_size(rows, 2))
+    return Error{fmt::format("{}: {} must be whole numbers to {}", name,
+                             square ? "size" : "columns and rows", k_max_size)};
+  table.columns = int(columns);
+  table.rows = int(rows);
+  if (!square) {
+    const std::string axis = text_of(root, "angle_axis"), width = text_of(root, "width");
+    if (axis == name_of(AngleAxis::theta))
+      table.angle_axis = AngleAxis::theta;
+    else if (axis != name_of(AngleAxis::sqrt_one_minus_cos))
+      return Error{fmt::format("{}: unknown angle_axis {}", name, json_quoted(axis))};
+    if (width == "one")
+      table.width = brdf::LobeWidth::one;
+    else if (width != "alpha")
+      return Error{fmt::format("{}: unknown width {}", name, json_quoted(width))};
+  }
   const auto texels = root.find("texels");
   if (texels == root.end() || !texels->is_array()) return Error{name + ": texels is missing"};
-  LobeTable table;
-  table.columns = table.rows = int(size);
   const std::size_t count = std::size_t(table.columns) * std::size_t(table.rows);
   if (texels->size() != count * k_stored)
-    return Error{fmt::format("{}: texels holds {} numbers, but size {} needs {}", name,
-                             texels->size(), table.columns, count * k_stored)};
+    return Error{fmt::format("{}: texels holds {} numbers, but {} x {} needs {}", name,
+                             texels->size(), table.columns, table.rows, count * k_stored)};
 
   table.texels.assign(count * LobeTable::k_channels, 0.0f);
   for (std::size_t i = 0; i < count; ++i) {
@@ -109,40 +130,38 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
       if (!value.is_number() || !std::isfinite(texel[k]))
         return Error{fmt::format("{}: texels[{}] is not a finite number", name, i * k_stored + k)};
     }
-    // At roughness 0, alpha is at its smallest, B C alpha vanishes; elsewhere alpha = x^2.
-    const double x = double(i % count % table.columns) / (table.columns - 1);
-    const double alpha = std::max(x * x, 1e-4);
-    if (!(double(texel[0]) * double(texel[3]) > alpha * double(texel[1]) * double(texel[2])))
+    const int column = int(i % std::size_t(table.columns));
+    const double width = node_width(table.width, table.columns, column);
+    if (!(double(texel[0]) * double(texel[3]) > width * double(texel[1]) * double(texel[2])))
       return Error{fmt::format("{}: the lobe of node ({}, {}) has no positive determinant", name,
-                               i % table.columns, i / table.columns)};
+                               column, i / std::size_t(table.columns))};
   }
 
   const auto metadata = root.find("metadata");
   if (metadata == root.end() || !metadata->is_object())
     return Error{name + ": metadata is missing"};
-  table.metadata.brdf = text_of(*metadata, "brdf");
-  table.metadata.variant = text_of(*metadata, "variant");
-  table.metadata.objective = text_of(*metadata, "objective");
-  table.metadata.command = text_of(*metadata, "command");
-  table.metadata.tool_version = text_of(*metadata, "tool_version");
-  table.metadata.mean_tv = number_of(*metadata, "mean_tv");
-  table.metadata.max_tv = number_of(*metadata, "max_tv");
+  for (const MetadataField& field : k_metadata_fields) {
+    if (field.text) table.metadata.*field.text = text_of(*metadata, field.name);
+    if (field.number) table.metadata.*field.number = number_of(*metadata, field.name);
+  }
   return table;
 }
 
 Result<LobeTable> read_table(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path + ": cannot open; does it exist and may it be read?"};
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) return Error{path + ": cannot be read to its end"};
-  return from_json(text, path);
+  const Result<PackedTable> packed = read_packed(path);
+  if (!packed) return packed.error();
+  Result<LobeTable> table = unpack(*packed);
+  if (table && table->angle_axis != AngleAxis::sqrt_one_minus_cos)
+    table = resample(*table, table->columns, table->rows, AngleAxis::sqrt_one_minus_cos);
+  if (!table) return Error{fmt::format("{}: {}", path, table.error().message)};
+  return table;
 }
 
 std::string to_builtin_source(const LobeTable& table) {
   const TableMetadata& m = table.metadata;
   std::string out = "// Copyright (c) 2026 The OpenLTC authors\n"
                     "// SPDX-License-Identifier: MIT\n//\n";
-  out += fmt::format("// Generated by: {}\n// Do not edit: tools/make_builtin_table.sh writes it "
+  out += fmt::format("// Generated by: {}\n// Do not edit: tools/make_builtin_lobes.sh writes it "
                      "anew, and a test compares.\n//\n",
                      m.command);
   out += "// One texel a line: A B C D n1 n5 (openltc/table/lobe_table.h).\n\n";
@@ -163,13 +182,8 @@ std::string to_builtin_source(const LobeTable& table) {
   const auto field = [&](const char* name, const std::string& value) {
     out += fmt::format("  table.metadata.{} = {};\n", name, value);
   };
-  field("brdf", quoted(m.brdf));
-  field("variant", quoted(m.variant));
-  field("objective", quoted(m.objective));
-  field("command", quoted(m.command));
-  field("tool_version", quoted(m.tool_version));
-  field("mean_tv", fmt::format("{}", m.mean_tv));
-  field("max_tv", fmt::format("{}", m.max_tv));
+  for (const MetadataField& f : k_metadata_fields)
+    field(f.name, f.text ? json_quoted(m.*f.text) : fmt::format("{}", m.*f.number));
   out += "  return table;\n}\n\n} // namespace\n\n";
   out += "const LobeTable& builtin_ggx_table() {\n  static const LobeTable table = make_table();\n"
          "  return table;\n}\n\n} // namespace openltc::table\n";

@@ -16,13 +16,15 @@ namespace openltc::table {
 /// number the shortest that reads back as the same float.
 std::string to_json(const LobeTable& table);
 
-/// The inverse of to_json. `name` stands in for the file in error messages.
-/// Refuses: text that is not JSON or is cut off, another format or version, a size outside 2..512,
+/// The inverse of to_json; version 1, which had no columns and rows, is read too. `name` stands in
+/// for the file in error messages.
+/// Refuses: text that is not JSON or is cut off, another format or version, a size beyond 512,
 /// a wrong number of texels, numbers that are not finite in single precision, and texels whose lobe
 /// has no positive determinant.
 Result<LobeTable> from_json(const std::string& text, const std::string& name);
 
-/// Reads a .json table; errors as from_json.
+/// Reads a table of any layout that says itself what it is (packed_file.h) and gives it on the
+/// native angle axis, ready for shading.
 Result<LobeTable> read_table(const std::string& path);
 
 /// Writes by extension: .json, or .cpp and .inc for the source of the built-in. Complete or not at

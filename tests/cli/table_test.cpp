@@ -74,9 +74,9 @@ TEST_CASE("broken_tables_are_refused_by_name") {
                                      table_text().substr(0, table_text().size() / 2),
                                      changed("format", "other"),
                                      changed("version", 99),
-                                     changed("size", 9),
-                                     changed("size", -1),
-                                     changed("size", 1e9),
+                                     changed("columns", 9),
+                                     changed("rows", -1),
+                                     changed("rows", 1e9),
                                      changed("texels", json::array()),
                                      changed("texels", texels),
                                      changed("metadata", nullptr)};
@@ -95,7 +95,7 @@ TEST_CASE("broken_tables_are_refused_by_name") {
 
 TEST_CASE("fit_refuses_outputs_that_it_cannot_write") {
   const TemporaryFolder folder;
-  for (const std::string& bad : {folder.file("missing/x.json"), folder.file("x.exr")}) {
+  for (const std::string& bad : {folder.file("missing/x.json"), folder.file("x.txt")}) {
     CAPTURE(bad);
     const Run run = run_tool({"fit", "--size", "64", "--quiet", "-o", bad}, {"", 0, 30});
     CHECK(fails_naming(run, bad));

@@ -31,7 +31,8 @@ LobeTable small_table() {
       texel[5] = 1.17549435e-38f; // the least normal float
     }
   }
-  t.metadata = {"ggx", "a \"quoted\" variant", "objective", "openltc fit", "0.1.0", 0.0406, 0.31};
+  t.metadata = {
+      "ggx", "a \"quoted\" variant", "objective", "clipped", "openltc fit", "0.1.0", 0.0406, 0.31};
   return t;
 }
 
@@ -64,6 +65,38 @@ TEST_CASE("a table written and read is the same to the bit") {
   }
 }
 
+TEST_CASE("shape, angle axis and width are kept") {
+  LobeTable t = small_table();
+  t.columns = 1;
+  t.rows = 9;
+  t.angle_axis = table::AngleAxis::theta;
+  t.width = brdf::LobeWidth::one;
+  const Result<LobeTable> read = table::from_json(table::to_json(t), "t.json");
+  REQUIRE(read);
+  CHECK(read->columns == 1);
+  CHECK(read->rows == 9);
+  CHECK(read->angle_axis == table::AngleAxis::theta);
+  CHECK(read->width == brdf::LobeWidth::one);
+  CHECK(read->texels == t.texels);
+}
+
+TEST_CASE("a file of version 1, square by definition, is still read") {
+  std::string text = replaced(table::to_json(small_table()), "\"version\": 2", "\"version\": 1");
+  text = replaced(text, "\"columns\": 3,\n\"rows\": 3", "\"size\": 3");
+  text = replaced(text, "\"angle_axis\"", "\"other\"");
+  const Result<LobeTable> read = table::from_json(text, "t.json");
+  REQUIRE(read);
+  CHECK(read->columns == 3);
+  CHECK(read->rows == 3);
+  CHECK(read->texels == small_table().texels);
+}
+
+TEST_CASE("metadata of any bytes makes a file that can be read") {
+  LobeTable t = small_table();
+  t.metadata.variant = "not UTF-8: \xff\xfe";
+  CHECK(table::from_json(table::to_json(t), "t.json"));
+}
+
 TEST_CASE("table_rejects_truncated_file") {
   const std::string text = table::to_json(small_table());
   for (std::size_t n = 0; n + 3 < text.size(); n += 7) {
@@ -79,11 +112,13 @@ TEST_CASE("wrong contents are refused with the file and the field") {
   CHECK(has(refusal("{}"), "format"));
   CHECK(has(refusal("[1, 2]"), "format"));
   CHECK(has(refusal(replaced(text, "openltc-lobe-table", "something")), "format"));
-  CHECK(has(refusal(replaced(text, "\"version\": 1", "\"version\": 2")), "version"));
-  CHECK(has(refusal(replaced(text, "\"size\": 3", "\"size\": 4")), "54 numbers"));
-  CHECK(has(refusal(replaced(text, "\"size\": 3", "\"size\": -3")), "size"));
-  CHECK(has(refusal(replaced(text, "\"size\": 3", "\"size\": 1e9")), "size"));
-  CHECK(has(refusal(replaced(text, "\"size\": 3", "\"size\": \"3\"")), "size"));
+  CHECK(has(refusal(replaced(text, "\"version\": 2", "\"version\": 3")), "version"));
+  CHECK(has(refusal(replaced(text, "\"columns\": 3", "\"columns\": 4")), "54 numbers"));
+  CHECK(has(refusal(replaced(text, "\"columns\": 3", "\"columns\": -3")), "columns"));
+  CHECK(has(refusal(replaced(text, "\"rows\": 3", "\"rows\": 1e9")), "rows"));
+  CHECK(has(refusal(replaced(text, "\"rows\": 3", "\"rows\": \"3\"")), "rows"));
+  CHECK(has(refusal(replaced(text, "sqrt(1 - cos theta)\",", "phi\",")), "angle_axis"));
+  CHECK(has(refusal(replaced(text, "\"width\": \"alpha\"", "\"width\": 3")), "width"));
   CHECK(has(refusal(replaced(text, "1.9999999", "null")), "texels[3]"));
   CHECK(has(refusal(replaced(text, "1.9999999", "\"NaN\"")), "texels[3]"));
   CHECK(has(refusal(replaced(text, "1.9999999", "1e39")), "texels[3]"));

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+//
+// openltc convert: between table layouts, precisions and containers.
+
+#include "cli/choice.h"
+#include "cli/commands.h"
+#include "cli/output_place.h"
+#include "openltc/fit/error.h"
+#include "openltc/table/packed_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace openltc::cli {
+
+namespace {
+
+using table::Layout;
+using table::Precision;
+
+struct ConvertArguments {
+  std::string input, output;
+  std::optional<Layout> layout, from_layout;
+  std::optional<Precision> precision;
+  int size = 0;
+  std::string brdf;
+  bool quiet = false;
+};
+
+int fail(const Error& error) {
+  fmt::print(stderr, "openltc convert: {}\n", error.message);
+  return k_exit_failed;
+}
+
+// What the arguments ask of the table, through the native packing where that is needed.
+Result<table::PackedTable> convert(const table::PackedTable& from,
+                                   const ConvertArguments& arguments) {
+  const Layout layout = arguments.layout.value_or(from.layout);
+  const Precision precision = arguments.precision.value_or(from.precision);
+  const bool same_size =
+      arguments.size == 0 || (arguments.size == from.columns() && arguments.size == from.rows());
+  // The same texels: nothing is lost, and nothing asked of them.
+  if (layout == from.layout && same_size && precision == from.precision) return from;
+  if (layout == from.layout && same_size) return with_precision(from, precision);
+  Result<table::LobeTable> lobes = unpack(from);
+  if (!lobes) return lobes.error();
+  if (!same_size) {
+    const int columns = lobes->columns == 1 ? 1 : arguments.size;
+    lobes = resample(*lobes, columns, arguments.size, lobes->angle_axis);
+    if (!lobes) return lobes.error();
+  }
+  return pack(*lobes, layout, precision);
+}
+
+// The errors that the metadata state are those of the lobes as this layout reads them.
+void restate_errors(table::PackedTable& packed) {
+  table::TableMetadata& m = packed.metadata;
+  m.mean_tv = m.max_tv = 0;
+  const brdf::Brdf* brdf = brdf::find_brdf(m.brdf);
+  if (!brdf) return;
+  fit::MeasureOptions options;
+  options.horizon = fit::horizon_of(packed);
+  const Result<fit::TableError> error = fit::measure_lobes(*brdf, fit::lobes_of(packed), options);
+  if (!error) return;
+  const auto four_digits = [](double x) {
+    return std::strtod(fmt::format("{:.3e}", x).c_str(), nullptr);
+  };
+  m.mean_tv = four_digits(error->mean.tv);
+  m.max_tv = four_digits(error->max.tv);
+}
+
+// How to make the same from what the input was made from.
+std::string command_of(const table::PackedTable& packed, int size) {
+  std::string command = packed.metadata.command;
+  command +=
+      fmt::format("{}openltc convert --layout {} --precision {}", command.empty() ? "" : "; ",
+                  name_of(packed.layout), name_of(packed.precision));
+  return size > 0 ? fmt::format("{} --size {}", command, size) : command;
+}
+
+int run_convert(const ConvertArguments& arguments) {
+  // Scenes will be told apart here, by their extension.
+  if (Status status = table::check_packed_extension(arguments.output); !status)
+    return fail(status.error());
+  const Result<table::PackedTable> read =
+      table::read_packed(arguments.input, arguments.from_layout);
+  if (!read) return fail(read.error());
+  table::PackedTable from = *read;
+  if (!arguments.brdf.empty()) {
+    from.metadata.brdf = arguments.brdf;
+    if (from.metadata.variant.empty())
+      from.metadata.variant = brdf::find_brdf(arguments.brdf)->variant;
+  }
+  for (const std::string& file :
+       packed_files(arguments.layout.value_or(from.layout), arguments.output))
+    if (Status status = check_place(file); !status) return fail(status.error());
+
+  Result<table::PackedTable> to = convert(from, arguments);
+  if (!to) return fail(Error{fmt::format("{}: {}", arguments.input, to.error().message)});
+  const bool changed = to->layout != from.layout || to->precision != from.precision ||
+                       to->columns() != from.columns() || to->rows() != from.rows();
+  if (changed || (to->metadata.mean_tv == 0 && !arguments.brdf.empty())) restate_errors(*to);
+  if (changed) {
+    to->metadata.command = command_of(*to, arguments.size);
+    to->metadata.tool_version = OPENLTC_VERSION;
+  }
+  const auto written = write_packed(*to, arguments.output);
+  if (!written) return fail(written.error());
+  if (arguments.quiet) return k_exit_ok;
+  for (const std::string& file : *written)
+    fmt::print(stderr, "wrote {}\n", file);
+  const table::LayoutFacts& facts = facts_of(to->layout);
+  if (facts.usual_size != 0 &&
+      (to->columns() != facts.usual_size || to->rows() != facts.usual_size))
+    fmt::print(stderr, "note: {} expects {} x {} texels, this table has {} x {}; see --size\n",
+               facts.readers, facts.usual_size, facts.usual_size, to->columns(), to->rows());
+  if (facts.has_amplitudes && !facts_of(from.layout).has_amplitudes)
+    fmt::print(stderr, "note: {} holds no amplitudes: n1 is 1 and n5 is 0 in what was written\n",
+               name_of(from.layout));
+  return k_exit_ok;
+}
+
+} // namespace
+
+void add_convert(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<ConvertArguments>();
+  CLI::App* command = app.add_subcommand(
+      "convert", "Convert a lobe table to another layout, precision or container");
+  command->footer(
+      "The container is that of the extension of OUT: .dds .ktx2 .exr .npy .json, and as source\n"
+      ".h (C and C++) .glsl .hlsl .wgsl .js. A table of two textures becomes OUT_1 and OUT_2 in\n"
+      "the first four. A .dds or .npy says what it is in OUT.dds.json beside it; the others "
+      "inside.\n"
+      "Layouts: native; ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP);\n"
+      "godot; o3de. The error is measured again, through the look-up of the new layout.\n"
+      "\n"
+      "Examples:\n"
+      "  openltc convert ggx.json ggx.dds --layout ltc_code\n"
+      "  openltc convert ggx.json ggx.ktx2 --layout o3de --size 32\n"
+      "  openltc convert ltc_1.dds ltc.exr --from-layout ltc_code --brdf ggx");
+  Choices<Layout> layouts;
+  for (const Layout layout : table::all_layouts())
+    layouts.emplace_back(name_of(layout), layout);
+  const Choices<Precision> precisions = {{name_of(Precision::float32), Precision::float32},
+                                         {name_of(Precision::float16), Precision::float16}};
+  std::vector<std::string> brdfs;
+  for (const brdf::Brdf& b : brdf::all_brdfs())
+    brdfs.push_back(b.name);
+  command->add_option("input", arguments->input, "Table: .json .dds .ktx2 .exr .npy")->required();
+  command->add_option("output", arguments->output, "File to write")->required();
+  command
+      ->add_option("--layout", arguments->layout, "Layout to write; that of the input if not given")
+      ->transform(one_of(layouts))
+      ->type_name(words_of(layouts));
+  command
+      ->add_option("--precision", arguments->precision,
+                   "Numbers to write; as the input if not given")
+      ->transform(one_of(precisions))
+      ->type_name(words_of(precisions));
+  command
+      ->add_option("--from-layout", arguments->from_layout,
+                   "Layout of a bare texture, which does not say what it is")
+      ->transform(one_of(layouts))
+      ->type_name(words_of(layouts));
+  command
+      ->add_option("--size", arguments->size, "Nodes per axis to write; as the input if not given")
+      ->check(CLI::Range(2, 512));
+  command->add_option("--brdf", arguments->brdf, "BRDF of a bare texture")
+      ->check(CLI::IsMember(brdfs));
+  command->add_flag("--quiet", arguments->quiet, "No messages on stderr");
+  command->callback([arguments, &exit_code] { exit_code = run_convert(*arguments); });
+}
+
+} // namespace openltc::cli

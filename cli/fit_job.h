@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// One fit, from the choices on the command line to lobes, metadata and files.
+
+#pragma once
+
+#include "openltc/brdf/brdf.h"
+#include "openltc/fit/report.h"
+#include "openltc/fit/table_fit.h"
+#include "openltc/table/layout.h"
+#include "openltc/table/lobe_polynomial.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace openltc::cli {
+
+/// What lobes are kept in.
+enum class LobeForm { table, polynomial };
+
+/// What is asked for. The defaults give the built-in table.
+struct FitChoices {
+  std::string brdf = "ggx"; ///< name, or path of a MERL file
+  int size = 64;
+  std::string objective = "balanced";
+  LobeForm form = LobeForm::table;
+  int degree = 4;
+  table::Layout layout = table::Layout::native;
+  table::Precision precision = table::Precision::float32;
+  fit::Refine refine = fit::Refine::automatic;
+  bool clip_aware = false; ///< for layouts other than native, which is so anyway
+};
+
+/// The command line that makes the same again: all choices that are not defaults.
+std::string command_of(const FitChoices& choices);
+
+/// What was fitted: a table as it is written, or a polynomial.
+struct FittedLobes {
+  std::variant<table::PackedTable, table::LobePolynomial> stored;
+  std::optional<table::LobeTable> native; ///< of a table in the native layout
+  fit::Horizon horizon = fit::Horizon::clipped;
+  fit::Objective objective;
+  double seconds = 0; ///< wall time of the fit alone
+  std::string note;   ///< what else there is to say: a polynomial's certificate
+
+  table::TableMetadata& metadata();
+  /// As shading or an engine reads them; refers to this object.
+  fit::LobeFunction lobes() const;
+};
+
+/// Whether every file can be written in this form and layout, and where it would lie. Before the
+/// work.
+Status check_outputs(const FitChoices& choices, const std::vector<std::string>& paths);
+
+/// Fits, measures over the first region and completes the metadata.
+Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
+                              const std::function<void(double)>& progress);
+
+/// Writes one file, or the two of a layout with two textures; returns their paths.
+Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path);
+
+} // namespace openltc::cli

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/table/clipped_sphere.h"
+#include "openltc/table/half.h"
+#include "openltc/table/layout.h"
+#include "openltc/table/lookup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace openltc::table {
+
+namespace {
+
+// The channels of a node; lobe_of_texel is the inverse. `native` holds A B C D.
+void store_texel(Layout layout, const f64::Lobe& m, Vec4d native, double n1, double n5,
+                 double* first, double* second) {
+  switch (layout) {
+  case Layout::native:
+    std::copy_n(std::array{native.x, native.y, native.z, native.w}.data(), 4, first);
+    std::copy_n(std::array{n1, n5, 0.0, 0.0}.data(), 4, second);
+    return;
+  case Layout::ltc_code: // the fourth channel of the second texture is not a node's
+    std::copy_n(std::array{m.m00, m.m20, m.m02, m.m22}.data(), 4, first);
+    std::copy_n(std::array{n1, n5, 0.0}.data(), 3, second);
+    return;
+  case Layout::unity:
+    std::copy_n(std::array{m.m00 / m.m22, m.m20 / m.m22, 1 / m.m22, m.m02 / m.m22}.data(), 4,
+                first);
+    return;
+  case Layout::godot: {
+    // M is the adjugate of M^-1 up to scale, its third column (-m02, 0, m00).
+    const double scale = 1 / std::hypot(m.m00, m.m02);
+    std::copy_n(std::array{m.m22 * scale, -m.m20 * scale, m.det * scale, -m.m02 * scale}.data(), 4,
+                first);
+    std::copy_n(std::array{m.m00 * scale, n1, n5, 0.0}.data(), 4, second);
+    return;
+  }
+  case Layout::o3de:
+    std::copy_n(std::array{m.m22 / m.m00, m.m20 / m.m00, 1 / m.m00, m.m02 / m.m00}.data(), 4,
+                first);
+    std::copy_n(std::array{n1, n5}.data(), 2, second);
+    return;
+  }
+}
+
+// The element of the first texture that raises the determinant when it goes up.
+int determinant_channel(Layout layout) {
+  return layout == Layout::native || layout == Layout::ltc_code ? 3 : 0;
+}
+
+// Rounds the textures to half precision and keeps the determinants positive.
+Status round_to_half(PackedTable& packed) {
+  for (std::size_t t = 0; t < packed.textures.size(); ++t) {
+    Texture& texture = packed.textures[t];
+    for (std::size_t i = 0; i < texture.values.size(); ++i) {
+      const float rounded = rounded_to_half(texture.values[i]);
+      if (!std::isfinite(rounded)) {
+        const std::size_t texel = i / std::size_t(texture.channels);
+        return Error{fmt::format(
+            "layout {}: texel ({}, {}) of texture {}, channel {}, is {:g}, beyond the {} of half "
+            "precision; choose --precision float32",
+            name_of(packed.layout), texel % std::size_t(texture.width),
+            texel / std::size_t(texture.width), t + 1, i % std::size_t(texture.channels),
+            texture.values[i], k_half_max)};
+      }
+      texture.values[i] = rounded;
+    }
+  }
+  return Success{};
+}
+
+double determinant(const PackedTable& packed, int column, int row);
+
+// Moves one element of the texel up, half by half, until the determinant is positive.
+Status repair_determinant(PackedTable& packed, int column, int row) {
+  Texture& first = packed.textures[0];
+  float& value = first.values[std::size_t((row * first.width + column) * first.channels +
+                                          determinant_channel(packed.layout))];
+  for (int step = 0; step < 1024 && value >= 0 && value < k_half_max; ++step) {
+    if (determinant(packed, column, row) > 0) return Success{};
+    value = float_from_half(std::uint16_t(half_from_float(value) + 1));
+  }
+  return Error{fmt::format("layout {}: the lobe of node ({}, {}) has no positive determinant in {}",
+                           name_of(packed.layout), column, row, name_of(packed.precision))};
+}
+
+f64::FittedLobe lobe_of_node(const PackedTable& packed, int column, int row) {
+  std::array<double, 4> channels[2] = {};
+  for (std::size_t t = 0; t < packed.textures.size(); ++t) {
+    const Texture& texture = packed.textures[t];
+    for (int k = 0; k < texture.channels; ++k)
+      channels[t][std::size_t(k)] = double(
+          texture.values[std::size_t((row * texture.width + column) * texture.channels + k)]);
+  }
+  return lobe_of_texel(packed.layout, channels[0], channels[1],
+                       node_width(packed.width, packed.columns(), column),
+                       row_cosine(packed.layout, packed.angle_axis, packed.rows(), row));
+}
+
+double determinant(const PackedTable& packed, int column, int row) {
+  const double det = lobe_of_node(packed, column, row).lobe.det;
+  return std::isfinite(det) ? det : 0;
+}
+
+// Packs a table whose nodes lie where the layout wants them.
+Result<PackedTable> pack_nodes(const LobeTable& table, Layout layout, Precision precision) {
+  const LayoutFacts& facts = facts_of(layout);
+  PackedTable packed;
+  packed.layout = layout;
+  packed.angle_axis = facts.angle_axis;
+  packed.width = table.width;
+  packed.metadata = table.metadata;
+  for (const auto& channels : facts.channels) {
+    Texture texture;
+    texture.width = table.columns;
+    texture.height = table.rows;
+    texture.channels = int(channels.size());
+    texture.values.assign(texture.count(), 0.0f);
+    packed.textures.push_back(std::move(texture));
+  }
+
+  for (int row = 0; row < table.rows; ++row) {
+    const double cos_theta = row_cosine(layout, facts.angle_axis, table.rows, row);
+    for (int column = 0; column < table.columns; ++column) {
+      const float* t = table.texel(column, row);
+      const Vec4d native{double(t[0]), double(t[1]), double(t[2]), double(t[3])};
+      const double width = node_width(table.width, table.columns, column);
+      double channels[2][4] = {};
+      store_texel(layout, f64::lobe_from_mirror(native, width, cos_theta), native, double(t[4]),
+                  double(t[5]), channels[0], channels[1]);
+      if (layout == Layout::ltc_code)
+        channels[1][3] = clipped_sphere_form_factor(2.0 * column / (table.columns - 1) - 1,
+                                                    double(row) / (table.rows - 1));
+      for (std::size_t k = 0; k < packed.textures.size(); ++k) {
+        Texture& texture = packed.textures[k];
+        for (int c = 0; c < texture.channels; ++c) {
+          const float value = float(channels[k][c]);
+          if (!std::isfinite(value))
+            return Error{fmt::format("layout {}: node ({}, {}) has no finite value",
+                                     name_of(layout), column, row)};
+          texture.values[std::size_t((row * table.columns + column) * texture.channels + c)] =
+              value;
+        }
+      }
+    }
+  }
+  return with_precision(packed, precision);
+}
+
+} // namespace
+
+Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precision) {
+  const LayoutFacts& facts = facts_of(layout);
+  // The clipped sphere needs a second axis even where roughness does not.
+  const int columns = layout == Layout::ltc_code && table.columns == 1 ? table.rows : table.columns;
+  if (table.angle_axis == facts.angle_axis && table.columns == columns && layout != Layout::godot)
+    return pack_nodes(table, layout, precision);
+  // Rows of the layout, as coordinates of the table's own axis; both end in the grazing row.
+  std::vector<double> from(std::size_t(table.rows), 1.0);
+  for (int row = 0; row + 1 < table.rows; ++row)
+    from[std::size_t(row)] =
+        angle_coordinate(table.angle_axis, row_cosine(layout, facts.angle_axis, table.rows, row));
+  LobeTable nodes = interpolate(table, columns, from);
+  nodes.angle_axis = facts.angle_axis;
+  return pack_nodes(nodes, layout, precision);
+}
+Result<PackedTable> with_precision(const PackedTable& packed, Precision precision) {
+  PackedTable result = packed;
+  result.precision = precision;
+  for (Texture& texture : result.textures)
+    texture.precision = precision;
+  if (precision == Precision::float16)
+    if (Status status = round_to_half(result); !status) return status.error();
+  for (int row = 0; row < result.rows(); ++row)
+    for (int column = 0; column < result.columns(); ++column) {
+      if (determinant(result, column, row) > 0) continue;
+      const Error error{
+          fmt::format("layout {}: the lobe of node ({}, {}) has no positive determinant",
+                      name_of(result.layout), column, row)};
+      if (!(determinant(packed, column, row) > 0) || precision == Precision::float32) return error;
+      if (Status status = repair_determinant(result, column, row); !status) return status.error();
+    }
+  return result;
+}
+
+Result<LobeTable> unpack(const PackedTable& packed) {
+  if (Status status = check_textures("packed table", packed.layout, packed.textures); !status)
+    return status.error();
+  LobeTable table;
+  table.columns = packed.columns();
+  table.rows = packed.rows();
+  table.angle_axis = packed.angle_axis;
+  table.width = packed.width;
+  table.metadata = packed.metadata;
+  table.texels.assign(std::size_t(table.columns) * std::size_t(table.rows) * LobeTable::k_channels,
+                      0.0f);
+  for (int row = 0; row < table.rows; ++row) {
+    const double cos_theta = row_cosine(packed.layout, packed.angle_axis, table.rows, row);
+    for (int column = 0; column < table.columns; ++column) {
+      const f64::FittedLobe fitted = lobe_of_node(packed, column, row);
+      if (!(fitted.lobe.det > 0) || !std::isfinite(fitted.lobe.det))
+        return Error{fmt::format(
+            "layout {}: the lobe of texel ({}, {}) has no positive determinant; is it that layout?",
+            name_of(packed.layout), column, row)};
+      float* texel = table.texel(column, row);
+      if (packed.layout == Layout::native) {
+        std::copy_n(packed.textures[0].values.data() + (row * table.columns + column) * 4, 4,
+                    texel);
+      } else {
+        const double width = node_width(packed.width, table.columns, column);
+        const Vec4d m = f64::mirror_from_lobe(fitted.lobe, width, cos_theta);
+        texel[0] = float(m.x);
+        texel[1] = float(m.y);
+        texel[2] = float(m.z);
+        texel[3] = float(m.w);
+      }
+      texel[4] = float(fitted.n1);
+      texel[5] = float(fitted.n5);
+      for (int k = 0; k < 6; ++k)
+        if (!std::isfinite(texel[k]))
+          return Error{fmt::format("layout {}: the lobe of texel ({}, {}) is not finite",
+                                   name_of(packed.layout), column, row)};
+    }
+  }
+  if (packed.layout != Layout::godot) return table;
+  // From where Godot reads its rows to where theta / (pi/2) says.
+  std::vector<double> from(std::size_t(table.rows), 1.0);
+  for (int row = 0; row + 1 < table.rows; ++row)
+    from[std::size_t(row)] = look_up_coordinate(
+        Layout::godot, packed.angle_axis,
+        cosine_of_coordinate(Layout::native, packed.angle_axis, double(row) / (table.rows - 1)));
+  return interpolate(table, table.columns, from);
+}
+
+} // namespace openltc::table

@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/table/packed_file.h"
+
+#include "openltc/base/atomic_file.h"
+#include "openltc/table/container.h"
+#include "openltc/table/description.h"
+#include "openltc/table/source_code.h"
+#include "openltc/table/table_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+namespace openltc::table {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Container { dds, ktx2, exr, npy, json, c, glsl, hlsl, wgsl, js };
+
+struct ContainerFacts {
+  const char* extension;
+  Container container;
+  bool one_texture; ///< a file each
+  bool describes;   ///< has room for the description
+};
+constexpr ContainerFacts k_containers[] = {
+    {".dds", Container::dds, true, false},   {".ktx2", Container::ktx2, true, true},
+    {".exr", Container::exr, true, true},    {".npy", Container::npy, true, false},
+    {".json", Container::json, false, true}, {".h", Container::c, false, true},
+    {".glsl", Container::glsl, false, true}, {".hlsl", Container::hlsl, false, true},
+    {".wgsl", Container::wgsl, false, true}, {".js", Container::js, false, true},
+};
+
+const ContainerFacts* container_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  for (const ContainerFacts& facts : k_containers)
+    if (extension == facts.extension) return &facts;
+  return nullptr;
+}
+
+// "DIR/ggx" + "_1" + ".dds"
+std::string with_suffix(const std::string& path, const std::string& suffix) {
+  const fs::path p(path);
+  return (p.parent_path() / (p.stem().string() + suffix + p.extension().string())).string();
+}
+
+struct File {
+  std::string path;
+  Bytes bytes;
+};
+
+Bytes to_bytes(const std::string& text) { return Bytes(text.begin(), text.end()); }
+
+// Every temporary file is complete before the first is renamed.
+Status write_all(std::span<const File> files) {
+  if (files.empty()) return Success{};
+  return write_atomically(files[0].path, [&](const std::string& temporary) -> Status {
+    std::ofstream out(temporary, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(files[0].bytes.data()),
+              std::streamsize(files[0].bytes.size()));
+    out.close();
+    if (!out) return Error{files[0].path + ": cannot write; is the disk full?"};
+    return write_all(files.subspan(1));
+  });
+}
+
+Result<Bytes> encode(const Texture& texture, Container container, const std::string& path) {
+  switch (container) {
+  case Container::dds:
+    return encode_dds(texture);
+  case Container::ktx2:
+    return encode_ktx2(texture);
+  case Container::exr:
+    return encode_exr(texture, path);
+  default:
+    return encode_npy(texture);
+  }
+}
+
+Result<Texture> decode(ByteView bytes, Container container, const std::string& path) {
+  switch (container) {
+  case Container::dds:
+    return decode_dds(bytes, path);
+  case Container::ktx2:
+    return decode_ktx2(bytes, path);
+  case Container::exr:
+    return decode_exr(bytes, path);
+  default:
+    return decode_npy(bytes, path);
+  }
+}
+
+Result<std::string> source_text(const PackedTable& packed, Container container,
+                                const std::string& path) {
+  const std::string name = fs::path(path).stem().string();
+  switch (container) {
+  case Container::c:
+    return to_source(packed, SourceLanguage::c, name);
+  case Container::glsl:
+    return to_source(packed, SourceLanguage::glsl, name);
+  case Container::hlsl:
+    return to_source(packed, SourceLanguage::hlsl, name);
+  case Container::wgsl:
+    return to_source(packed, SourceLanguage::wgsl, name);
+  case Container::js:
+    return to_source(packed, SourceLanguage::js, name);
+  default:
+    break;
+  }
+  if (packed.layout != Layout::native || packed.precision != Precision::float32)
+    return packed_to_json(packed);
+  const Result<LobeTable> table = unpack(packed);
+  if (!table) return table.error();
+  return to_json(*table);
+}
+
+// No table comes near: 512 x 512 texels of four numbers as JSON.
+constexpr std::uintmax_t k_max_file = std::uintmax_t(64) << 20;
+
+Result<Bytes> read_file(const std::string& path) {
+  std::error_code ec;
+  if (fs::is_directory(path, ec)) return Error{path + ": is a directory"};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{path + ": cannot open; does it exist and may it be read?"};
+  const std::uintmax_t size = fs::file_size(path, ec);
+  if (!ec && size > k_max_file)
+    return Error{fmt::format("{}: {} bytes are too many for a table", path, size)};
+  Bytes bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) return Error{path + ": cannot be read to its end"};
+  return bytes;
+}
+
+// The path given to write_packed: "DIR/ggx.dds" of "DIR/ggx_1.dds" and "DIR/ggx_2.dds".
+std::string table_path(const std::string& path) {
+  const fs::path p(path);
+  const std::string stem = p.stem().string();
+  const bool numbered = stem.size() > 2 && (stem.compare(stem.size() - 2, 2, "_1") == 0 ||
+                                            stem.compare(stem.size() - 2, 2, "_2") == 0);
+  if (!numbered) return path;
+  return (p.parent_path() / (stem.substr(0, stem.size() - 2) + p.extension().string())).string();
+}
+
+std::vector<std::string> texture_files(const std::string& path) {
+  const std::string whole = table_path(path);
+  const std::string first = with_suffix(whole, "_1"), second = with_suffix(whole, "_2");
+  std::error_code ec;
+  if ((path == whole && fs::exists(path, ec)) || !fs::exists(first, ec)) return {path};
+  if (!fs::exists(second, ec)) return {first};
+  return {first, second};
+}
+
+} // namespace
+
+Status check_packed_extension(const std::string& path) {
+  if (container_of(path)) return Success{};
+  return Error{
+      fmt::format("{}: unknown extension; a table is written as .dds .ktx2 .exr .npy .json "
+                  ".h .glsl .hlsl .wgsl or .js",
+                  path)};
+}
+
+std::vector<std::string> packed_files(Layout layout, const std::string& path) {
+  const ContainerFacts* container = container_of(path);
+  if (!container) return {};
+  if (!container->one_texture) return {path};
+  std::vector<std::string> files;
+  if (facts_of(layout).channels.size() == 1)
+    files = {path};
+  else
+    files = {with_suffix(path, "_1"), with_suffix(path, "_2")};
+  if (!container->describes) files.push_back(path + ".json");
+  return files;
+}
+
+Result<std::vector<std::string>> write_packed(const PackedTable& packed, const std::string& path) {
+  if (Status status = check_packed_extension(path); !status) return status.error();
+  if (Status status = check_textures(path, packed.layout, packed.textures); !status)
+    return status.error();
+  const ContainerFacts& container = *container_of(path);
+  const std::vector<std::string> paths = packed_files(packed.layout, path);
+  std::vector<File> files;
+  if (container.one_texture) {
+    for (std::size_t t = 0; t < packed.textures.size(); ++t) {
+      Texture texture = packed.textures[t];
+      texture.metadata = describe(packed);
+      texture.metadata.emplace_back("texture",
+                                    fmt::format("{} of {}", t + 1, packed.textures.size()));
+      Result<Bytes> bytes = encode(texture, container.container, paths[t]);
+      if (!bytes) return bytes.error();
+      files.push_back({paths[t], std::move(*bytes)});
+    }
+    if (!container.describes)
+      files.push_back({paths.back(), to_bytes(description_to_json(describe(packed)))});
+  } else {
+    const Result<std::string> text = source_text(packed, container.container, path);
+    if (!text) return text.error();
+    files.push_back({path, to_bytes(*text)});
+  }
+  if (Status status = write_all(files); !status) return status.error();
+  return paths;
+}
+
+bool table_exists(const std::string& path) {
+  std::error_code ec;
+  return fs::exists(texture_files(path)[0], ec);
+}
+
+Result<TextureFiles> read_textures(const std::string& path) {
+  const ContainerFacts* container = container_of(path);
+  if (!container || !container->one_texture)
+    return Error{
+        fmt::format("{}: cannot be read as textures; known are .dds .ktx2 .exr .npy", path)};
+  TextureFiles files;
+  files.paths = texture_files(path);
+  for (const std::string& file : files.paths) {
+    const Result<Bytes> bytes = read_file(file);
+    if (!bytes) return bytes.error();
+    Result<Texture> texture = decode(*bytes, container->container, file);
+    if (!texture) return texture.error();
+    files.textures.push_back(std::move(*texture));
+  }
+  files.description = files.textures[0].metadata;
+  const std::string beside = table_path(path) + ".json";
+  std::error_code ec;
+  if (!container->describes && fs::exists(beside, ec)) {
+    const Result<Bytes> bytes = read_file(beside);
+    if (!bytes) return bytes.error();
+    Result<KeyValues> description =
+        description_from_json(std::string(bytes->begin(), bytes->end()), beside);
+    if (!description) return description.error();
+    files.description = std::move(*description);
+  }
+  return files;
+}
+
+Result<PackedTable> read_packed(const std::string& path, std::optional<Layout> layout) {
+  const ContainerFacts* container = container_of(path);
+  if (!container || (!container->one_texture && container->container != Container::json))
+    return Error{
+        fmt::format("{}: cannot be read as a table; known are .dds .ktx2 .exr .npy .json", path)};
+  PackedTable packed;
+  bool described = true;
+  if (container->container == Container::json) {
+    const Result<Bytes> bytes = read_file(path);
+    if (!bytes) return bytes.error();
+    const std::string text(bytes->begin(), bytes->end());
+    if (text.find("\"openltc-packed-table\"") != std::string::npos) {
+      Result<PackedTable> read = packed_from_json(text, path);
+      if (!read) return read.error();
+      packed = std::move(*read);
+    } else {
+      const Result<LobeTable> table = from_json(text, path);
+      if (!table) return table.error();
+      Result<PackedTable> native = pack(*table, Layout::native, Precision::float32);
+      if (!native) return Error{fmt::format("{}: {}", path, native.error().message)};
+      packed = std::move(*native);
+    }
+  } else {
+    Result<TextureFiles> files = read_textures(path);
+    if (!files) return files.error();
+    packed.textures = std::move(files->textures);
+    described = !files->description.empty();
+    if (described) {
+      if (Status status = apply_description(files->description, path, packed); !status)
+        return status.error();
+    } else if (layout) {
+      packed.layout = *layout;
+      packed.angle_axis = angle_axis_of(*layout);
+    } else {
+      return Error{fmt::format("{}: says nothing about its layout; openltc inspect finds out what "
+                               "it most probably is, then name it with --from-layout",
+                               path)};
+    }
+    const std::size_t count = facts_of(packed.layout).channels.size();
+    if (packed.textures.size() > count && !described) packed.textures.resize(count);
+    if (Status status = check_textures(path, packed.layout, packed.textures); !status)
+      return status.error();
+    packed.precision = packed.textures[0].precision;
+    for (Texture& texture : packed.textures)
+      texture.metadata.clear();
+  }
+  if (described && layout && *layout != packed.layout)
+    return Error{fmt::format("{}: says itself that its layout is {}, not {}", path,
+                             name_of(packed.layout), name_of(*layout))};
+  return packed;
+}
+
+} // namespace openltc::table

@@ -1,0 +1,10 @@
+#!/bin/sh
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+#
+# Makes the built-in GGX table and polynomial anew: tools/make_builtin_lobes.sh [path of openltc]
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+openltc=${1:-$root/build/release/bin/openltc}
+"$openltc" fit --brdf ggx --size 64 -o "$root/openltc/table/builtin_ggx.cpp"
+"$openltc" fit --brdf ggx --form polynomial --degree 4 -o "$root/openltc/table/builtin_ggx_polynomial.cpp"
