@@ -47,12 +47,13 @@ constexpr std::int64_t k_max_dimension = 4096, k_max_directions = 1 << 24;
 constexpr double k_max_value = 1e9; // 1/steradian, far above any measured highlight
 constexpr double k_missing = -1;
 
-// Scale of a channel and its share in luminance.
+// A channel's scale and its share in luminance.
 struct Channel {
+  const char* name;
   double scale, share;
 };
 constexpr Channel k_channels[3] = {
-    {1.0 / 1500, 0.2126}, {1.15 / 1500, 0.7152}, {1.66 / 1500, 0.0722}};
+    {"red", 1.0 / 1500, 0.2126}, {"green", 1.15 / 1500, 0.7152}, {"blue", 1.66 / 1500, 0.0722}};
 
 // Axes: 0 theta_h, 1 theta_d, 2 phi_d, the last fastest.
 struct Material {
@@ -168,15 +169,14 @@ Error failure(const std::string& name, const std::string& what) {
   return Error{name + ": " + what};
 }
 
-} // namespace
-
-Result<Brdf> parse_merl(std::span<const std::uint8_t> bytes, const std::string& name) {
+// The counts of the header, when the file is as long as they say.
+Result<std::array<int, 3>> read_header(std::span<const std::uint8_t> bytes,
+                                       const std::string& name) {
   if (bytes.size() < k_header_bytes)
     return failure(name, fmt::format("{} bytes are too few for the header of a MERL file, three "
                                      "int32; was it cut off?",
                                      bytes.size()));
-  auto material = std::make_shared<Material>();
-  Material& m = *material;
+  std::array<int, 3> counts{};
   std::int64_t directions = 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto n = std::int32_t(std::uint32_t(little_endian(bytes.data() + 4 * k, 4)));
@@ -185,12 +185,12 @@ Result<Brdf> parse_merl(std::span<const std::uint8_t> bytes, const std::string& 
       return failure(name, fmt::format("its count along {} is {}, not one of 1..{}; is it a MERL "
                                        "file?",
                                        k_axis[k], n, k_max_dimension));
-    m.count[k] = n;
+    counts[k] = n;
     directions *= n;
   }
   if (directions > k_max_directions)
     return failure(name, fmt::format("{} x {} x {} samples are more than the {} that are read",
-                                     m.count[0], m.count[1], m.count[2], k_max_directions));
+                                     counts[0], counts[1], counts[2], k_max_directions));
   const std::size_t count = std::size_t(directions);
   const std::size_t expected = k_header_bytes + 24 * count;
   if (bytes.size() != expected)
@@ -198,11 +198,16 @@ Result<Brdf> parse_merl(std::span<const std::uint8_t> bytes, const std::string& 
         name,
         fmt::format("has {} bytes, but its header of {} x {} x {} samples asks for "
                     "{}; {}",
-                    bytes.size(), m.count[0], m.count[1], m.count[2], expected,
+                    bytes.size(), counts[0], counts[1], counts[2], expected,
                     bytes.size() < expected ? "was it cut off?" : "what follows is not MERL's"));
+  return counts;
+}
 
+// Luminances from the bytes of a file with the header m.count, k_missing where there is none.
+Status read_samples(std::span<const std::uint8_t> bytes, const std::string& name, Material& m) {
   const std::uint8_t* data = bytes.data() + k_header_bytes;
   double largest = 0;
+  const std::size_t count = (bytes.size() - k_header_bytes) / 24;
   m.value.resize(count);
   for (int h = 0; h < m.count[0]; ++h)
     for (int d = 0; d < m.count[1]; ++d)
@@ -215,12 +220,8 @@ Result<Brdf> parse_merl(std::span<const std::uint8_t> bytes, const std::string& 
           const double sample = std::bit_cast<double>(little_endian(data + 8 * at, 8));
           const double value = sample * k_channels[k].scale;
           if (!(value <= k_max_value && std::isfinite(value)))
-            return failure(name,
-                           fmt::format("sample {} ({}) is {}; a BRDF is finite and below {}", at,
-                                       k == 0   ? "red"
-                                       : k == 1 ? "green"
-                                                : "blue",
-                                       sample, k_max_value));
+            return failure(name, fmt::format("sample {} ({}) is {}; a BRDF is finite and below {}",
+                                             at, k_channels[k].name, sample, k_max_value));
           negative += value < 0;
           luminance += k_channels[k].share * std::max(0.0, value);
         }
@@ -229,6 +230,18 @@ Result<Brdf> parse_merl(std::span<const std::uint8_t> bytes, const std::string& 
         largest = std::max(largest, luminance);
       }
   if (!(largest > 0)) return failure(name, "no sample has any light; there is nothing to fit");
+  return Success{};
+}
+
+} // namespace
+
+Result<Brdf> parse_merl(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const Result<std::array<int, 3>> counts = read_header(bytes, name);
+  if (!counts) return counts.error();
+  auto material = std::make_shared<Material>();
+  Material& m = *material;
+  m.count = *counts;
+  if (Status status = read_samples(bytes, name, m); !status) return status.error();
   for (const int axis : {1, 2, 0})
     fill_along(m, axis);
   make_symmetric(m);

@@ -3,8 +3,9 @@
 //
 // Oren and Nayar's rough diffuse reflection, the full model with one interreflection.
 //
-// Source: Oren, Nayar 1994, "Generalization of Lambert's Reflectance Model", equations 27 to 29
-// (not the shorter "qualitative" form, equation 30). Facets are Lambertian and white (rho = 1).
+// Source: Oren, Nayar 1994, "Generalization of Lambert's Reflectance Model", the
+// functional approximation of the direct term (C1, C2, C3) and of one interreflection, not the
+// shorter "qualitative" form. Facets are Lambertian and white (rho = 1).
 //
 // With a = max(theta_i, theta_o), b = min(theta_i, theta_o), phi the azimuth between the two and
 // s2 = sigma^2:

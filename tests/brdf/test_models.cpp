@@ -67,7 +67,7 @@ TEST_CASE("distributions of normals are normalised: integral of D cos is 1") {
   }
 }
 
-// Heitz 2014, equation 14: the visible facets' projected area is that of the surface.
+// Heitz 2014, what defines G1: the visible facets' projected area is that of the surface.
 TEST_CASE("Beckmann's exact Lambda: visible normals fill the projected area") {
   for (const double alpha : {0.01, 0.2, 0.7, 1.0}) {
     for (const double degrees : {5.0, 45.0, 75.0, 87.0}) {
