@@ -219,9 +219,15 @@ void add_fit(CLI::App& app, int& exit_code) {
   command->add_option("--size", c.size, "Nodes per axis of a table")
       ->check(CLI::Range(2, 512))
       ->capture_default_str();
-  command->add_option("--objective", c.objective, "What the fit minimises")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(fit::k_objective_names),
-                                                     std::end(fit::k_objective_names))))
+  command
+      ->add_option("--objective", c.objective,
+                   "What the fit minimises: balanced, tv, l2, l3, or weights TV,L2,L3")
+      ->check(CLI::Validator(
+          [](std::string& text) -> std::string {
+            const Result<fit::Objective> found = fit::find_objective(text);
+            return found ? "" : found.error().message;
+          },
+          ""))
       ->capture_default_str();
   const Choices<LobeForm> forms = {{"table", LobeForm::table},
                                    {"polynomial", LobeForm::polynomial}};

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// One variant of lobe_sums; OPENLTC_VARIANT names it and the build sets the instruction set.
+// One variant of lobe_sums; OPENLTC_VARIANT names it, OPENLTC_WIDTH says how many doubles its
+// registers hold, and the build sets the instruction set.
 //
 // With o = (m0 x + m1 z, y, m2 x + m3 z), q = 1/|o|^2 and d = det s / pi (lobe_fit.cpp):
 //   D = o.z d q^2,
@@ -17,16 +18,25 @@ namespace openltc::fit {
 
 namespace {
 
-constexpr int k_width = 8;
+// Lanes of this variant's registers, a divisor of the eight lanes that every sum is kept in.
+constexpr int k_width = OPENLTC_WIDTH;
+constexpr int k_lanes = 8;
 typedef double Block __attribute__((vector_size(k_width * sizeof(double))));
 
 inline void load(Block& to, const double* from) { std::memcpy(&to, from, sizeof(Block)); }
 
-inline double sum(const Block& b) {
-  return ((b[0] + b[4]) + (b[2] + b[6])) + ((b[1] + b[5]) + (b[3] + b[7]));
-}
+// A sum's eight lanes, added in one order.
+struct Lanes {
+  double lane[k_lanes];
 
-// The lobe at eight points.
+  void set(int offset, const Block& block) { std::memcpy(lane + offset, &block, sizeof(Block)); }
+  double sum() const {
+    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) +
+           ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+  }
+};
+
+// The lobe at as many points as a register holds.
 struct Points {
   Block x, z, w, p; // as in the input
   Block ox, oz, q, inside, d;
@@ -49,61 +59,76 @@ struct Points {
 
 void distances(const LobeSumsInput& in, LobeDistances& out) {
   const Block zero = {};
-  Block missing = zero, squares = zero, cubes = zero;
-  for (std::size_t i = 0; i < in.count; i += k_width) {
-    const Points at(in, i);
-    const Block r = at.d - at.p;
-    const Block a = r < zero ? -r : r;
-    const Block square = at.w * r * r;
-    missing += square / (a + (in.rounding * at.p + in.floor)) - at.w * r;
-    squares += square;
-    cubes += square * a;
+  Lanes missing_lanes, squares_lanes, cubes_lanes;
+  for (int offset = 0; offset < k_lanes; offset += k_width) {
+    Block missing = zero, squares = zero, cubes = zero;
+    for (std::size_t i = std::size_t(offset); i < in.count; i += k_lanes) {
+      const Points at(in, i);
+      const Block r = at.d - at.p;
+      const Block a = r < zero ? -r : r;
+      const Block square = at.w * r * r;
+      missing += square / (a + (in.rounding * at.p + in.floor)) - at.w * r;
+      squares += square;
+      cubes += square * a;
+    }
+    missing_lanes.set(offset, missing);
+    squares_lanes.set(offset, squares);
+    cubes_lanes.set(offset, cubes);
   }
-  out.missing = 0.5 * sum(missing);
-  out.squares = sum(squares);
-  out.cubes = sum(cubes);
+  out.missing = 0.5 * missing_lanes.sum();
+  out.squares = squares_lanes.sum();
+  out.cubes = cubes_lanes.sum();
 }
 
 void derivatives(const LobeSumsInput& in, LobeDerivatives& out) {
   const Block zero = {};
-  Block g[4] = {zero, zero, zero, zero};
-  Block h[10] = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
+  Lanes g_lanes[4], h_lanes[10];
   const double half_tv = 0.5 * in.tv;
-  for (std::size_t i = 0; i < in.count; i += k_width) {
-    const Points at(in, i);
-    const Block r = at.d - at.p;
-    const Block a = r < zero ? -r : r;
-    const Block e = in.rounding * at.p + in.floor;
-    const Block inverse = 1.0 / (a + e);
-    const Block omega = at.w * (half_tv * (a + 2.0 * e) * inverse * inverse + 2.0 * in.squares +
-                                3.0 * in.cubes * a);
-    const Block four_dq = 4.0 * at.d * at.q;
-    const Block by_x = -four_dq * at.ox, by_z = at.inside - four_dq * at.oz;
-    const Block d0 = at.d * in.log_slope[0] + by_x * at.x;
-    const Block d1 = at.d * in.log_slope[1] + by_x * at.z;
-    const Block d2 = at.d * in.log_slope[2] + by_z * at.x;
-    const Block d3 = at.d * in.log_slope[3] + by_z * at.z;
-    const Block pull = omega * r - half_tv * at.w; // the gradient by D
-    g[0] += pull * d0;
-    g[1] += pull * d1;
-    g[2] += pull * d2;
-    g[3] += pull * d3;
-    const Block w0 = omega * d0, w1 = omega * d1, w2 = omega * d2, w3 = omega * d3;
-    h[0] += w0 * d0;
-    h[1] += w0 * d1;
-    h[2] += w0 * d2;
-    h[3] += w0 * d3;
-    h[4] += w1 * d1;
-    h[5] += w1 * d2;
-    h[6] += w1 * d3;
-    h[7] += w2 * d2;
-    h[8] += w2 * d3;
-    h[9] += w3 * d3;
+  // One register's lanes at a time: twenty-eight sums of half the lanes would not fit the
+  // registers.
+  for (int offset = 0; offset < k_lanes; offset += k_width) {
+    Block g[4] = {zero, zero, zero, zero};
+    Block h[10] = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
+    for (std::size_t i = std::size_t(offset); i < in.count; i += k_lanes) {
+      const Points at(in, i);
+      const Block r = at.d - at.p;
+      const Block a = r < zero ? -r : r;
+      const Block e = in.rounding * at.p + in.floor;
+      const Block inverse = 1.0 / (a + e);
+      const Block omega = at.w * (half_tv * (a + 2.0 * e) * inverse * inverse + 2.0 * in.squares +
+                                  3.0 * in.cubes * a);
+      const Block four_dq = 4.0 * at.d * at.q;
+      const Block by_x = -four_dq * at.ox, by_z = at.inside - four_dq * at.oz;
+      const Block d0 = at.d * in.log_slope[0] + by_x * at.x;
+      const Block d1 = at.d * in.log_slope[1] + by_x * at.z;
+      const Block d2 = at.d * in.log_slope[2] + by_z * at.x;
+      const Block d3 = at.d * in.log_slope[3] + by_z * at.z;
+      const Block pull = omega * r - half_tv * at.w; // the gradient by D
+      g[0] += pull * d0;
+      g[1] += pull * d1;
+      g[2] += pull * d2;
+      g[3] += pull * d3;
+      const Block w0 = omega * d0, w1 = omega * d1, w2 = omega * d2, w3 = omega * d3;
+      h[0] += w0 * d0;
+      h[1] += w0 * d1;
+      h[2] += w0 * d2;
+      h[3] += w0 * d3;
+      h[4] += w1 * d1;
+      h[5] += w1 * d2;
+      h[6] += w1 * d3;
+      h[7] += w2 * d2;
+      h[8] += w2 * d3;
+      h[9] += w3 * d3;
+    }
+    for (int k = 0; k < 4; ++k)
+      g_lanes[k].set(offset, g[k]);
+    for (int k = 0; k < 10; ++k)
+      h_lanes[k].set(offset, h[k]);
   }
   for (int k = 0; k < 4; ++k)
-    out.gradient[k] = sum(g[k]);
+    out.gradient[k] = g_lanes[k].sum();
   for (int k = 0; k < 10; ++k)
-    out.hessian[k] = sum(h[k]);
+    out.hessian[k] = h_lanes[k].sum();
 }
 
 } // namespace

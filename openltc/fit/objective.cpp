@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace openltc::fit {
@@ -30,7 +31,27 @@ Result<Objective> find_objective(std::string_view name) {
   if (name == "tv") return o.tv = 1, o;
   if (name == "l2") return o.l2 = 1, o;
   if (name == "l3") return o.l3 = 1, o;
-  return Error{fmt::format("objective {}: known are balanced, tv, l2 and l3", name)};
+  // Three weights, e.g. 1,0.5,0.
+  const std::string text(name);
+  char* end = nullptr;
+  double* const weights[] = {&o.tv, &o.l2, &o.l3};
+  const char* at = text.c_str();
+  for (int k = 0; k < 3; ++k) {
+    *weights[k] = std::strtod(at, &end);
+    const bool ends = *end == (k < 2 ? ',' : '\0');
+    if (end == at || !ends || !(*weights[k] >= 0 && *weights[k] <= 1e6)) {
+      end = nullptr;
+      break;
+    }
+    at = end + 1;
+  }
+  if (end && o.tv + o.l2 + o.l3 > 0) {
+    o.rounding = Objective().rounding;
+    return o;
+  }
+  return Error{fmt::format("objective {}: choose balanced, tv, l2, l3, or three weights TV,L2,L3 "
+                           "that are not negative, e.g. 1,0.5,0",
+                           name)};
 }
 
 ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objective& o,

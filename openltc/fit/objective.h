@@ -28,13 +28,13 @@ namespace openltc::fit {
 struct Objective {
   std::string name = "balanced";
   double tv = 1;
-  double l2 = 0.22;
-  double l3 = 0.22;
+  double l2 = 0.3;
+  double l3 = 0.3;
   double rounding = 0.05;
   Horizon horizon = Horizon::clipped;
 };
 
-/// balanced, tv, l2 or l3; the error lists them.
+/// balanced, tv, l2, l3, or three weights as "TV,L2,L3"; the error lists them.
 Result<Objective> find_objective(std::string_view name);
 
 /// The names find_objective knows.
