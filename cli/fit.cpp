@@ -102,7 +102,7 @@ fit::Candidate subject_of(FittedLobes& fitted, const FitChoices& choices) {
     c.metadata.emplace_back(
         "layout", fmt::format("{}, {}", name_of(choices.layout), name_of(choices.precision)));
   if (!fitted.note.empty()) c.metadata.emplace_back("proof", fitted.note);
-  if (fitted.native) c.nodes = fit::node_axes(*fitted.native, fit::MeasureOptions{0, 1, 90});
+  if (fitted.nodes) c.nodes = fit::node_axes(*fitted.nodes, fit::MeasureOptions{0, 1, 90});
   return c;
 }
 

@@ -75,8 +75,7 @@ Result<FittedLobes> fit_table_form(const brdf::Brdf& brdf, const FitChoices& cho
   if (!packed) return packed.error();
   FittedLobes result;
   result.stored = std::move(*packed);
-  if (choices.layout == Layout::native && choices.precision == table::Precision::float32)
-    result.native = std::move(*fitted);
+  result.nodes = std::move(*fitted);
   return result;
 }
 
@@ -147,7 +146,7 @@ Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
   const Result<fit::TableError> error = fit::measure_lobes(brdf, result->lobes(), region);
   if (!error) return error.error();
   fit::complete_metadata(result->metadata(), *error, OPENLTC_VERSION, command_of(choices));
-  if (result->native) result->native->metadata = result->metadata();
+  if (result->nodes) result->nodes->metadata = result->metadata();
   return result;
 }
 
@@ -157,7 +156,7 @@ Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const st
     return std::vector<std::string>{path};
   }
   if (is_builtin_source(path)) {
-    if (Status status = table::write_table(*fitted.native, path); !status) return status.error();
+    if (Status status = table::write_table(*fitted.nodes, path); !status) return status.error();
     return std::vector<std::string>{path};
   }
   return table::write_packed(std::get<PackedTable>(fitted.stored), path);

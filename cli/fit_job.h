@@ -41,7 +41,7 @@ std::string command_of(const FitChoices& choices);
 /// What was fitted: a table as it is written, or a polynomial.
 struct FittedLobes {
   std::variant<table::PackedTable, table::LobePolynomial> stored;
-  std::optional<table::LobeTable> native; ///< of a table in the native layout
+  std::optional<table::LobeTable> nodes; ///< of a table: what was fitted, before it was packed
   fit::Horizon horizon = fit::Horizon::clipped;
   fit::Objective objective;
   double seconds = 0; ///< wall time of the fit alone
