@@ -52,9 +52,13 @@ struct FittedLobes {
   fit::LobeFunction lobes() const;
 };
 
+/// A path as one word of a shell's command line, in quotes where it needs them.
+std::string shell_word(const std::string& path);
+
 /// Whether every file can be written in this form and layout, and where it would lie. Before the
-/// work.
-Status check_outputs(const FitChoices& choices, const std::vector<std::string>& paths);
+/// work. Gives the files that would be written.
+Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitChoices& choices,
+                                               const std::vector<std::string>& paths);
 
 /// Fits, measures over the first region and completes the metadata.
 Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,

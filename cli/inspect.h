@@ -21,6 +21,8 @@ struct Description {
 /// A lobe table, .json .dds .ktx2 .npy: metadata, errors, ranges; for a bare texture what it most
 /// probably is.
 Result<Description> inspect_table(const std::string& path);
+/// A lobe polynomial, .json: metadata, errors, and the proof of its determinant made anew.
+Result<Description> inspect_polynomial(const std::string& path);
 /// An .exr: a table when its attributes say so or NAME_1.exr and NAME_2.exr of one small size lie
 /// side by side, a picture otherwise.
 Result<Description> inspect_exr(const std::string& path);

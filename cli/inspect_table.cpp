@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/inspect.h"
+#include "cli/lobe_file.h"
 #include "openltc/fit/error.h"
 #include "openltc/fit/identify.h"
 #include "openltc/table/packed_file.h"
@@ -39,6 +40,7 @@ void add_errors(const table::PackedTable& packed, Description& out) {
   if (!brdf) return;
   fit::MeasureOptions options;
   options.points = 24;
+  options.horizon = fit::horizon_of(packed);
   const Result<fit::TableError> e = fit::measure_lobes(
       *brdf, [&](double roughness, double c) { return fetch_packed(packed, roughness, c); },
       options);
@@ -150,6 +152,7 @@ Description describe_bare(const table::TextureFiles& files) {
 } // namespace
 
 Result<Description> inspect_table(const std::string& path) {
+  if (is_polynomial_file(path)) return inspect_polynomial(path);
   const bool json = std::filesystem::path(path).extension() == ".json";
   if (!json) {
     const Result<table::TextureFiles> files = table::read_textures(path);
