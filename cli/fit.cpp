@@ -198,6 +198,7 @@ int run_fit(const FitArguments& arguments) {
   }
   const Result<fit::Report> report = make_fit_report(*brdf, *fitted, *others, arguments);
   if (!report) return fail(report.error());
+  state_error(*fitted, report->regions.front().errors.front());
   fmt::print("{}", fit::to_text(*report));
 
   std::vector<std::string> written;

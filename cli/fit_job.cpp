@@ -158,14 +158,15 @@ Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
   result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result->horizon = objective.horizon;
   result->objective = objective;
-
-  fit::MeasureOptions region;
-  region.horizon = objective.horizon;
-  const Result<fit::TableError> error = fit::measure_lobes(brdf, result->lobes(), region);
-  if (!error) return error.error();
-  fit::complete_metadata(result->metadata(), *error, OPENLTC_VERSION, command_of(choices));
-  if (result->native) result->native->metadata = result->metadata();
+  fit::complete_metadata(result->metadata(), {}, OPENLTC_VERSION, command_of(choices));
   return result;
+}
+
+void state_error(FittedLobes& fitted, const fit::TableError& error) {
+  table::TableMetadata& metadata = fitted.metadata();
+  const std::string command = metadata.command;
+  fit::complete_metadata(metadata, error, OPENLTC_VERSION, command);
+  if (fitted.native) fitted.native->metadata = metadata;
 }
 
 Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/table/lobe_table.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -17,6 +18,11 @@ struct Description {
   std::string text;
   nlohmann::ordered_json json;
 };
+
+/// Mean and maximum TV that a file states, for people; 0 stands for not known.
+std::string stated_errors(const table::TableMetadata& metadata);
+/// A number that is 0 when it is not known: then null.
+nlohmann::ordered_json known_or_null(double number);
 
 /// A lobe table, .json .dds .ktx2 .npy: metadata, errors, ranges; for a bare texture what it most
 /// probably is.

@@ -47,19 +47,26 @@ Result<Description> inspect_polynomial(const std::string& path) {
   out.text += fmt::format("brdf       {} ({})\n", m.brdf, m.variant);
   out.text += fmt::format("objective  {}\n", m.objective);
   out.text += fmt::format("made by    {} (OpenLTC {})\n", m.command, m.tool_version);
-  out.text += fmt::format("mean TV    {}   max {}   roughness .06-1\n", m.mean_tv, m.max_tv);
+  out.text += stated_errors(m);
   out.text += proper
                   ? fmt::format("certified  A D - w B C >= {:.2e} over the whole domain; no lobe "
                                 "turns inside out\n",
                                 certificate.lower_bound)
                   : std::string("not certified: A D - w B C could not be bounded above 0\n");
-  out.json = {{"file", path},           {"kind", "polynomial"},
-              {"degree", read->degree}, {"terms", terms},
-              {"width", width},         {"brdf", m.brdf},
-              {"variant", m.variant},   {"objective", m.objective},
-              {"command", m.command},   {"tool_version", m.tool_version},
-              {"mean_tv", m.mean_tv},   {"max_tv", m.max_tv},
-              {"certified", proper},    {"determinant_at_least", certificate.lower_bound}};
+  out.json = {{"file", path},
+              {"kind", "polynomial"},
+              {"degree", read->degree},
+              {"terms", terms},
+              {"width", width},
+              {"brdf", m.brdf},
+              {"variant", m.variant},
+              {"objective", m.objective},
+              {"command", m.command},
+              {"tool_version", m.tool_version},
+              {"mean_tv", known_or_null(m.mean_tv)},
+              {"max_tv", known_or_null(m.max_tv)},
+              {"certified", proper},
+              {"determinant_at_least", certificate.lower_bound}};
   add_errors(*read, out);
   return out;
 }

@@ -66,8 +66,7 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
   out.text += fmt::format("brdf       {} ({})\n", m.brdf, m.variant);
   out.text += fmt::format("objective  {}\n", m.objective);
   out.text += fmt::format("made by    {} (OpenLTC {})\n", m.command, m.tool_version);
-  out.text +=
-      fmt::format("mean TV    {}   max {}   roughness .06-1, interpolated\n", m.mean_tv, m.max_tv);
+  out.text += stated_errors(m);
   out.json = {{"file", path},
               {"kind", "table"},
               {"size", packed.columns()},
@@ -82,8 +81,8 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
               {"objective", m.objective},
               {"command", m.command},
               {"tool_version", m.tool_version},
-              {"mean_tv", m.mean_tv},
-              {"max_tv", m.max_tv}};
+              {"mean_tv", known_or_null(m.mean_tv)},
+              {"max_tv", known_or_null(m.max_tv)}};
   add_errors(packed, out);
   for (std::size_t t = 0; t < packed.textures.size(); ++t)
     add_ranges(packed.textures[t], {facts.channels[t].begin(), facts.channels[t].end()}, out);
@@ -150,6 +149,16 @@ Description describe_bare(const table::TextureFiles& files) {
 }
 
 } // namespace
+
+std::string stated_errors(const table::TableMetadata& metadata) {
+  if (metadata.mean_tv == 0) return "mean TV    not known\n";
+  return fmt::format("mean TV    {}   max {}   roughness .06-1, interpolated\n", metadata.mean_tv,
+                     metadata.max_tv);
+}
+
+nlohmann::ordered_json known_or_null(double number) {
+  return number == 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(number);
+}
 
 Result<Description> inspect_table(const std::string& path) {
   if (is_polynomial_file(path)) return inspect_polynomial(path);
