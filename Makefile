@@ -38,7 +38,7 @@ sanitize: setup ## Run all tests under the address and undefined-behaviour sanit
 	cmake --build --preset sanitizers --parallel $(JOBS)
 	@tools/test.sh sanitizers
 
-fuzz: setup ## Fuzz the importer for FUZZ_SECONDS (60)
+fuzz: setup ## Fuzz every reader of files for FUZZ_SECONDS (60) each
 	@test -n "$(FUZZ_CXX)" || { echo "make fuzz needs clang (package clang-14)" >&2; exit 1; }
 	cmake --preset fuzz -DCMAKE_CXX_COMPILER=$(FUZZ_CXX)
 	cmake --build --preset fuzz --parallel $(JOBS) --target fuzz

@@ -3,6 +3,7 @@
 
 #include "cli/against.h"
 
+#include "cli/lobe_file.h"
 #include "openltc/fit/identify.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/table/packed_file.h"
@@ -49,15 +50,15 @@ fit::Candidate candidate_of(table::LobePolynomial polynomial, const std::string&
   return c;
 }
 
-bool is_polynomial(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".json" && table::read_polynomial(path).ok();
-}
-
 } // namespace
 
 Result<fit::Candidate> read_candidate(const std::string& path, std::string& note) {
   const std::string label = std::filesystem::path(path).filename().string();
-  if (is_polynomial(path)) return candidate_of(table::read_polynomial(path).value(), label);
+  if (is_polynomial_file(path)) {
+    const Result<table::LobePolynomial> polynomial = table::read_polynomial(path);
+    if (!polynomial) return polynomial.error();
+    return candidate_of(*polynomial, label);
+  }
   const Result<table::PackedTable> packed = table::read_packed(path);
   if (packed) return candidate_of(*packed, label);
 

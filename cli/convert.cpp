@@ -6,15 +6,18 @@
 
 #include "cli/choice.h"
 #include "cli/commands.h"
+#include "cli/lobe_file.h"
 #include "cli/output_place.h"
 #include "openltc/fit/error.h"
 #include "openltc/table/packed_file.h"
+#include "openltc/table/polynomial_file.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -86,7 +89,30 @@ std::string command_of(const table::PackedTable& packed, int size) {
   return size > 0 ? fmt::format("{} --size {}", command, size) : command;
 }
 
+// A polynomial has no layout: only its container changes.
+int convert_polynomial(const ConvertArguments& arguments) {
+  const bool asks_for_table = arguments.layout || arguments.from_layout || arguments.precision ||
+                              arguments.size > 0 || !arguments.brdf.empty();
+  if (asks_for_table)
+    return fail(Error{arguments.input + ": holds a polynomial; --layout, --from-layout, "
+                                        "--precision, --size and --brdf are for tables"});
+  const std::string extension = std::filesystem::path(arguments.output).extension().string();
+  if (extension == ".cpp" || extension == ".inc") // the source of the built-in, no container
+    return fail(Error{arguments.output + ": a polynomial is written as .json .h .glsl .hlsl .wgsl "
+                                         "or .js"});
+  if (Status status = table::check_polynomial_extension(arguments.output); !status)
+    return fail(status.error());
+  if (Status status = check_place(arguments.output); !status) return fail(status.error());
+  const Result<table::LobePolynomial> polynomial = table::read_polynomial(arguments.input);
+  if (!polynomial) return fail(polynomial.error());
+  if (Status status = table::write_polynomial(*polynomial, arguments.output); !status)
+    return fail(status.error());
+  if (!arguments.quiet) fmt::print(stderr, "wrote {}\n", arguments.output);
+  return k_exit_ok;
+}
+
 int run_convert(const ConvertArguments& arguments) {
+  if (is_polynomial_file(arguments.input)) return convert_polynomial(arguments);
   // Scenes will be told apart here, by their extension.
   if (Status status = table::check_packed_extension(arguments.output); !status)
     return fail(status.error());
@@ -139,6 +165,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       ".h (C and C++) .glsl .hlsl .wgsl .js. A table of two textures becomes OUT_1 and OUT_2 in\n"
       "the first four. A .dds or .npy says what it is in OUT.dds.json beside it; the others "
       "inside.\n"
+      "A polynomial (.json) becomes .h .glsl .hlsl .wgsl .js, a function to paste.\n"
       "Layouts: native; ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP);\n"
       "godot; o3de. The error is measured again, through the look-up of the new layout.\n"
       "\n"

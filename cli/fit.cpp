@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -69,6 +70,19 @@ Status check_report(const std::string& path) {
   return check_place(path);
 }
 
+// Two results under one name: the second would take the place of the first.
+Status check_distinct(const std::vector<std::string>& files) {
+  std::set<std::filesystem::path> seen;
+  for (const std::string& file : files) {
+    std::error_code ec;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(file, ec);
+    if (!seen.insert(ec ? std::filesystem::path(file) : place).second)
+      return Error{file +
+                   ": would be written twice; give each output and report a name of its own"};
+  }
+  return Success{};
+}
+
 Status write_text(const std::string& path, const std::string& text) {
   return write_atomically(path, [&](const std::string& temporary) -> Status {
     std::ofstream file(temporary, std::ios::binary);
@@ -106,18 +120,30 @@ fit::Candidate subject_of(FittedLobes& fitted, const FitChoices& choices) {
   return c;
 }
 
-// The report's candidates: what was fitted, the best that any single lobe could do, and the files
-// to compare with.
-Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
-                                    const FitArguments& arguments) {
-  std::vector<fit::Candidate> candidates = {subject_of(fitted, arguments.choices)};
+// The files to compare with, and what had to be guessed about them.
+Result<std::vector<fit::Candidate>> read_candidates(const FitArguments& arguments) {
+  std::vector<fit::Candidate> candidates;
+  std::vector<std::string> notes;
   for (const std::string& path : arguments.against) {
     std::string note;
     Result<fit::Candidate> other = read_candidate(path, note);
     if (!other) return other.error();
-    if (!note.empty() && !arguments.quiet) fmt::print(stderr, "{}\n", note);
+    if (!note.empty()) notes.push_back(note);
     candidates.push_back(std::move(*other));
   }
+  if (!arguments.quiet)
+    for (const std::string& note : notes)
+      fmt::print(stderr, "{}\n", note);
+  return candidates;
+}
+
+// The report's candidates: what was fitted, the files to compare with, and the best that any single
+// lobe could do.
+Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
+                                    const std::vector<fit::Candidate>& others,
+                                    const FitArguments& arguments) {
+  std::vector<fit::Candidate> candidates = {subject_of(fitted, arguments.choices)};
+  candidates.insert(candidates.end(), others.begin(), others.end());
   if (!arguments.reports.empty()) {
     fit::Candidate limit;
     limit.label = "limit";
@@ -132,7 +158,7 @@ Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
   options.title = fmt::format("{}: error of fitted lobes", brdf.name);
   options.command = command_of(arguments.choices);
   for (const std::string& path : arguments.against)
-    options.command += fmt::format(" --against {}", path);
+    options.command += fmt::format(" --against {}", shell_word(path));
   options.tool_version = OPENLTC_VERSION;
   options.fit_seconds = fitted.seconds;
   return fit::make_report(brdf, candidates, options);
@@ -146,10 +172,16 @@ int run_fit(const FitArguments& arguments) {
     fail(brdf.error());
     return is_file(choices.brdf) ? k_exit_failed : k_exit_usage;
   }
-  if (Status status = check_outputs(choices, arguments.outputs); !status)
-    return fail(status.error());
-  for (const std::string& path : arguments.reports)
+  // Find out now, not after the work, what cannot be written or read.
+  Result<std::vector<std::string>> files = check_outputs(*brdf, choices, arguments.outputs);
+  if (!files) return fail(files.error());
+  for (const std::string& path : arguments.reports) {
     if (Status status = check_report(path); !status) return fail(status.error());
+    files->push_back(path);
+  }
+  if (Status status = check_distinct(*files); !status) return fail(status.error());
+  const Result<std::vector<fit::Candidate>> others = read_candidates(arguments);
+  if (!others) return fail(others.error());
 
   const bool terminal = isatty(STDERR_FILENO) != 0 && !arguments.quiet;
   const auto progress = [&](double share) {
@@ -164,15 +196,16 @@ int run_fit(const FitArguments& arguments) {
     fmt::print(stderr, "fitted {} in {:.3f} s\n", brdf->name, fitted->seconds);
     if (!fitted->note.empty()) fmt::print(stderr, "{}\n", fitted->note);
   }
-  const Result<fit::Report> report = make_fit_report(*brdf, *fitted, arguments);
+  const Result<fit::Report> report = make_fit_report(*brdf, *fitted, *others, arguments);
   if (!report) return fail(report.error());
+  state_error(*fitted, report->regions.front().errors.front());
   fmt::print("{}", fit::to_text(*report));
 
   std::vector<std::string> written;
   for (const std::string& path : arguments.outputs) {
-    const Result<std::vector<std::string>> files = write_lobes(*fitted, path);
-    if (!files) return fail(files.error());
-    written.insert(written.end(), files->begin(), files->end());
+    const Result<std::vector<std::string>> done = write_lobes(*fitted, path);
+    if (!done) return fail(done.error());
+    written.insert(written.end(), done->begin(), done->end());
   }
   for (const std::string& path : arguments.reports) {
     const std::string text = is_page(path) ? fit::to_html(*report) : fit::to_json(*report);
@@ -216,9 +249,9 @@ void add_fit(CLI::App& app, int& exit_code) {
   command->add_option("--brdf", c.brdf, "BRDF by name (--list), or a MERL file FILE.binary")
       ->capture_default_str();
   command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
-  command->add_option("--size", c.size, "Nodes per axis of a table")
-      ->check(CLI::Range(2, 512))
-      ->capture_default_str();
+  auto* size = command->add_option("--size", c.size, "Nodes per axis of a table")
+                   ->check(CLI::Range(2, 512))
+                   ->capture_default_str();
   command
       ->add_option("--objective", c.objective,
                    "What the fit minimises: balanced, tv, l2, l3, or weights TV,L2,L3")
@@ -234,9 +267,10 @@ void add_fit(CLI::App& app, int& exit_code) {
   command->add_option("--form", c.form, "Table, or polynomials instead of one [table]")
       ->transform(one_of(forms))
       ->type_name(words_of(forms));
-  command->add_option("--degree", c.degree, "Total degree of the polynomials")
-      ->check(CLI::Range(table::LobePolynomial::k_min_degree, table::LobePolynomial::k_max_degree))
-      ->capture_default_str();
+  auto* degree = command->add_option("--degree", c.degree, "Total degree of the polynomials")
+                     ->check(CLI::Range(table::LobePolynomial::k_min_degree,
+                                        table::LobePolynomial::k_max_degree))
+                     ->capture_default_str();
   Choices<table::Layout> layouts;
   for (const table::Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);
@@ -251,15 +285,17 @@ void add_fit(CLI::App& app, int& exit_code) {
                         ->type_name(words_of(precisions));
   const Choices<fit::Refine> refines = {
       {"auto", fit::Refine::automatic}, {"on", fit::Refine::on}, {"off", fit::Refine::off}};
-  command
-      ->add_option("--refine", c.refine,
-                   "Fit all nodes once more, jointly, through the bilinear look-up; auto does so "
-                   "up to 32 nodes [auto]")
-      ->transform(one_of(refines))
-      ->type_name(words_of(refines));
-  command->add_flag("--clip-aware", c.clip_aware,
-                    "For layouts other than native: fit for a renderer that clips lights at the "
-                    "surface's horizon, amplitudes over the share of the lobe above it");
+  auto* refine =
+      command
+          ->add_option("--refine", c.refine,
+                       "Fit all nodes once more, jointly, through the bilinear look-up; auto does "
+                       "so up to 32 nodes [auto]")
+          ->transform(one_of(refines))
+          ->type_name(words_of(refines));
+  auto* clip_aware = command->add_flag(
+      "--clip-aware", c.clip_aware,
+      "For layouts other than native: fit for a renderer that clips lights at the surface's "
+      "horizon, amplitudes over the share of the lobe above it");
   command
       ->add_option("-o,--output", arguments->outputs,
                    "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "
@@ -275,14 +311,18 @@ void add_fit(CLI::App& app, int& exit_code) {
                    "bare published texture. May be repeated")
       ->allow_extra_args(false);
   command->add_flag("--quiet", arguments->quiet, "No progress and messages on stderr");
-  command->callback([arguments, layout, precision, &exit_code] {
-    const FitChoices& choices = arguments->choices;
-    if (choices.form == LobeForm::polynomial && (*layout || *precision)) {
-      fmt::print(stderr, "openltc fit: --layout and --precision are for tables, not for --form "
-                         "polynomial\n");
+  // What would be passed over in silence is wrong usage.
+  const std::vector<CLI::Option*> of_tables = {size, layout, precision, refine, clip_aware};
+  command->callback([arguments, degree, of_tables, &exit_code] {
+    const bool polynomial = arguments->choices.form == LobeForm::polynomial;
+    const auto refuse = [&](const CLI::Option* option, const char* form, const char* not_form) {
+      fmt::print(stderr, "openltc fit: {} is for {}, not for {}\n", option->get_name(), form,
+                 not_form);
       exit_code = k_exit_usage;
-      return;
-    }
+    };
+    for (const CLI::Option* option : of_tables)
+      if (polynomial && option->count() > 0) return refuse(option, "tables", "--form polynomial");
+    if (!polynomial && degree->count() > 0) return refuse(degree, "--form polynomial", "tables");
     exit_code = run_fit(*arguments);
   });
 }

@@ -89,9 +89,19 @@ fit::LobeFunction FittedLobes::lobes() const {
   return std::visit([](const auto& form) { return fit::lobes_of(form); }, stored);
 }
 
+std::string shell_word(const std::string& path) {
+  constexpr const char* k_plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                  "_-./,:=@%+";
+  if (!path.empty() && path.find_first_not_of(k_plain) == std::string::npos) return path;
+  std::string quoted = "'";
+  for (const char c : path)
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 std::string command_of(const FitChoices& c) {
   const FitChoices standard;
-  std::string command = fmt::format("openltc fit --brdf {}", c.brdf);
+  std::string command = fmt::format("openltc fit --brdf {}", shell_word(c.brdf));
   if (c.form == LobeForm::polynomial)
     command += fmt::format(" --form polynomial --degree {}", c.degree);
   else
@@ -105,23 +115,30 @@ std::string command_of(const FitChoices& c) {
   return c.clip_aware ? command + " --clip-aware" : command;
 }
 
-Status check_outputs(const FitChoices& choices, const std::vector<std::string>& paths) {
+Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitChoices& choices,
+                                               const std::vector<std::string>& paths) {
+  std::vector<std::string> all;
   for (const std::string& path : paths) {
     std::vector<std::string> files = {path};
     if (choices.form == LobeForm::polynomial) {
-      if (Status status = table::check_polynomial_extension(path); !status) return status;
+      if (Status status = table::check_polynomial_extension(path); !status) return status.error();
     } else if (is_builtin_source(path)) {
       if (choices.layout != Layout::native || choices.precision != table::Precision::float32)
         return Error{path + ": C++ source of the built-in is for --layout native --precision "
                             "float32; .h holds any"};
     } else {
-      if (Status status = table::check_packed_extension(path); !status) return status;
+      if (Status status = table::check_packed_extension(path); !status) return status.error();
       files = table::packed_files(choices.layout, path);
     }
+    if (is_builtin_source(path) && brdf.width != brdf::LobeWidth::alpha)
+      return Error{fmt::format("{}: C++ source of the built-in is for lobes that narrow with "
+                               "roughness, not for {}; .h holds any",
+                               path, brdf.name)};
     for (const std::string& file : files)
-      if (Status status = check_place(file); !status) return status;
+      if (Status status = check_place(file); !status) return status.error();
+    all.insert(all.end(), files.begin(), files.end());
   }
-  return Success{};
+  return all;
 }
 
 Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
@@ -140,14 +157,15 @@ Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
   result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result->horizon = objective.horizon;
   result->objective = objective;
-
-  fit::MeasureOptions region;
-  region.horizon = objective.horizon;
-  const Result<fit::TableError> error = fit::measure_lobes(brdf, result->lobes(), region);
-  if (!error) return error.error();
-  fit::complete_metadata(result->metadata(), *error, OPENLTC_VERSION, command_of(choices));
-  if (result->nodes) result->nodes->metadata = result->metadata();
+  fit::complete_metadata(result->metadata(), {}, OPENLTC_VERSION, command_of(choices));
   return result;
+}
+
+void state_error(FittedLobes& fitted, const fit::TableError& error) {
+  table::TableMetadata& metadata = fitted.metadata();
+  const std::string command = metadata.command;
+  fit::complete_metadata(metadata, error, OPENLTC_VERSION, command);
+  if (fitted.nodes) fitted.nodes->metadata = metadata;
 }
 
 Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path) {

@@ -52,13 +52,20 @@ struct FittedLobes {
   fit::LobeFunction lobes() const;
 };
 
-/// Whether every file can be written in this form and layout, and where it would lie. Before the
-/// work.
-Status check_outputs(const FitChoices& choices, const std::vector<std::string>& paths);
+/// A path as one word of a shell's command line, in quotes where it needs them.
+std::string shell_word(const std::string& path);
 
-/// Fits, measures over the first region and completes the metadata.
+/// Whether every file can be written in this form and layout, and where it would lie. Before the
+/// work. Gives the files that would be written.
+Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitChoices& choices,
+                                               const std::vector<std::string>& paths);
+
+/// Fits. The metadata lacks the error, which state_error adds.
 Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
                               const std::function<void(double)>& progress);
+
+/// What the files say of the error over the first region of a report.
+void state_error(FittedLobes& fitted, const fit::TableError& error);
 
 /// Writes one file, or the two of a layout with two textures; returns their paths.
 Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path);

@@ -52,9 +52,11 @@ Result<Description> describe(const std::string& path) {
       return kind.inspect(path);
     }
   if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
-  return Error{fmt::format("{}: cannot tell what it is; known are scenes (.gltf .glb), pictures "
-                           "(.exr .hdr .png .jpg) and lobe tables (.json .dds .ktx2 .exr .npy)",
-                           path)};
+  return Error{
+      fmt::format("{}: cannot tell what it is; known are scenes (.gltf .glb), pictures "
+                  "(.exr .hdr .png .jpg) and lobe tables or polynomials (.json .dds .ktx2 .exr "
+                  ".npy)",
+                  path)};
 }
 
 int run_inspect(const InspectArguments& arguments) {
@@ -88,7 +90,9 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "errors and ranges; for a bare texture, which does not say what it is, how well every known\n"
       "layout and axis fits every named BRDF, the best first. An .exr is taken for a table when "
       "its\n"
-      "attributes say so or NAME_1.exr and NAME_2.exr lie side by side.\n"
+      "attributes say so or NAME_1.exr and NAME_2.exr lie side by side. A lobe polynomial "
+      "(.json):\n"
+      "its metadata, errors, and the proof that none of its lobes turns inside out, made anew.\n"
       "\n"
       "Examples:\n"
       "  openltc inspect room.glb\n"

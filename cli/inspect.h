@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/table/lobe_table.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,9 +19,16 @@ struct Description {
   nlohmann::ordered_json json;
 };
 
+/// Mean and maximum TV that a file states, for people; 0 stands for not known.
+std::string stated_errors(const table::TableMetadata& metadata);
+/// A number that is 0 when it is not known: then null.
+nlohmann::ordered_json known_or_null(double number);
+
 /// A lobe table, .json .dds .ktx2 .npy: metadata, errors, ranges; for a bare texture what it most
 /// probably is.
 Result<Description> inspect_table(const std::string& path);
+/// A lobe polynomial, .json: metadata, errors, and the proof of its determinant made anew.
+Result<Description> inspect_polynomial(const std::string& path);
 /// An .exr: a table when its attributes say so or NAME_1.exr and NAME_2.exr of one small size lie
 /// side by side, a picture otherwise.
 Result<Description> inspect_exr(const std::string& path);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/inspect.h"
+#include "cli/lobe_file.h"
 #include "openltc/fit/error.h"
 #include "openltc/fit/identify.h"
 #include "openltc/table/packed_file.h"
@@ -39,6 +40,7 @@ void add_errors(const table::PackedTable& packed, Description& out) {
   if (!brdf) return;
   fit::MeasureOptions options;
   options.points = 24;
+  options.horizon = fit::horizon_of(packed);
   const Result<fit::TableError> e = fit::measure_lobes(
       *brdf, [&](double roughness, double c) { return fetch_packed(packed, roughness, c); },
       options);
@@ -64,8 +66,7 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
   out.text += fmt::format("brdf       {} ({})\n", m.brdf, m.variant);
   out.text += fmt::format("objective  {}\n", m.objective);
   out.text += fmt::format("made by    {} (OpenLTC {})\n", m.command, m.tool_version);
-  out.text +=
-      fmt::format("mean TV    {}   max {}   roughness .06-1, interpolated\n", m.mean_tv, m.max_tv);
+  out.text += stated_errors(m);
   out.json = {{"file", path},
               {"kind", "table"},
               {"size", packed.columns()},
@@ -80,8 +81,8 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
               {"objective", m.objective},
               {"command", m.command},
               {"tool_version", m.tool_version},
-              {"mean_tv", m.mean_tv},
-              {"max_tv", m.max_tv}};
+              {"mean_tv", known_or_null(m.mean_tv)},
+              {"max_tv", known_or_null(m.max_tv)}};
   add_errors(packed, out);
   for (std::size_t t = 0; t < packed.textures.size(); ++t)
     add_ranges(packed.textures[t], {facts.channels[t].begin(), facts.channels[t].end()}, out);
@@ -149,7 +150,18 @@ Description describe_bare(const table::TextureFiles& files) {
 
 } // namespace
 
+std::string stated_errors(const table::TableMetadata& metadata) {
+  if (metadata.mean_tv == 0) return "mean TV    not known\n";
+  return fmt::format("mean TV    {}   max {}   roughness .06-1, interpolated\n", metadata.mean_tv,
+                     metadata.max_tv);
+}
+
+nlohmann::ordered_json known_or_null(double number) {
+  return number == 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(number);
+}
+
 Result<Description> inspect_table(const std::string& path) {
+  if (is_polynomial_file(path)) return inspect_polynomial(path);
   const bool json = std::filesystem::path(path).extension() == ".json";
   if (!json) {
     const Result<table::TextureFiles> files = table::read_textures(path);

@@ -6,13 +6,12 @@
 #include "cli/camera_choice.h"
 #include "cli/choice.h"
 #include "cli/commands.h"
+#include "cli/lobe_file.h"
 #include "cli/picture_output.h"
 #include "openltc/base/progress.h"
 #include "openltc/render/renderer.h"
 #include "openltc/scene/gltf.h"
 #include "openltc/scene/studio.h"
-#include "openltc/table/polynomial_file.h"
-#include "openltc/table/table_file.h"
 
 #include <fmt/format.h>
 
@@ -25,6 +24,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace openltc::cli {
@@ -149,26 +150,22 @@ LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene:
   return chosen;
 }
 
-struct OwnLobes {
-  table::LobeTable table;
-  table::LobePolynomial polynomial;
-};
-
 /// The lobes to shade with; those of a file are kept in `own`.
-Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, OwnLobes& own) {
-  const bool built_in = arguments.table.empty();
-  if (arguments.lobes.value_or(LobeForm::table) == LobeForm::polynomial) {
-    if (built_in) return render::LobeSource(table::builtin_ggx_polynomial());
-    Result<table::LobePolynomial> read = table::read_polynomial(arguments.table);
-    if (!read) return read.error();
-    own.polynomial = std::move(*read);
-    return render::LobeSource(own.polynomial);
+Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, ShadingLobes& own) {
+  if (arguments.table.empty()) {
+    if (arguments.lobes.value_or(LobeForm::table) == LobeForm::polynomial)
+      return render::LobeSource(table::builtin_ggx_polynomial());
+    return render::LobeSource(table::builtin_ggx_table());
   }
-  if (built_in) return render::LobeSource(table::builtin_ggx_table());
-  Result<table::LobeTable> read = table::read_table(arguments.table);
+  Result<ShadingLobes> read = read_shading_lobes(arguments.table);
   if (!read) return read.error();
-  own.table = std::move(*read);
-  return render::LobeSource(own.table);
+  own = std::move(*read);
+  const bool polynomial = std::holds_alternative<table::LobePolynomial>(own);
+  if (arguments.lobes && (*arguments.lobes == LobeForm::polynomial) != polynomial)
+    return Error{fmt::format("{}: holds a lobe {}, but --lobes asks for a {}", arguments.table,
+                             polynomial ? "polynomial" : "table",
+                             polynomial ? "table" : "polynomial")};
+  return std::visit([](const auto& lobes) { return render::LobeSource(lobes); }, own);
 }
 
 int run_render(const RenderArguments& arguments) {
@@ -238,7 +235,7 @@ int run_render(const RenderArguments& arguments) {
     if (arguments.exposure == "auto") display.ev100 = image::ev100_from_exposure(k_studio_exposure);
   }
 
-  OwnLobes own_lobes;
+  ShadingLobes own_lobes;
   const Result<render::LobeSource> lobes = choose_lobes(arguments, own_lobes);
   if (!lobes) return fail(lobes.error().message);
 
@@ -416,13 +413,17 @@ void add_render(CLI::App& app, int& exit_code) {
   const Choices<LobeForm> forms_of_lobes = {{"table", LobeForm::table},
                                             {"polynomial", LobeForm::polynomial}};
   command
-      ->add_option("--lobes", a.lobes,
-                   "Lobes of the LTC integrator from a table or from a polynomial [table]")
+      ->add_option(
+          "--lobes", a.lobes,
+          "Lobes of the LTC integrator from a table or from a polynomial [what --table holds; "
+          "table]")
       ->transform(one_of(forms_of_lobes))
       ->type_name(words_of(forms_of_lobes));
   command
-      ->add_option("--table", a.table,
-                   "That table or polynomial from openltc fit (.json) [built-in GGX]")
+      ->add_option(
+          "--table", a.table,
+          "Lobes from openltc fit: a table (.json .ktx2 .dds .exr .npy) or a polynomial (.json) "
+          "[built-in GGX]")
       ->type_name("FILE");
   command->add_option("--seed", a.seed, "Seed of the sampling")
       ->capture_default_str()

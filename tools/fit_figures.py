@@ -170,7 +170,7 @@ def main():
     blocks = {"figures": markdown(HEAD, rows)}
 
     curve = []
-    for weights in ("1,0,0", "1,0.05,0.05", "1,0.1,0.1", "1,0.2,0.2", "1,0.3,0.3", "1,0.5,0.5",
+    for weights in ("1,0,0", "1,0.05,0.05", "1,0.1,0.1", "1,0.22,0.22", "1,0.3,0.3", "1,0.5,0.5",
                     "1,1,1", "0,1,1"):
         curve.append([f"`{weights}`", *figures(report(openltc, "--objective", weights), 0)])
     blocks["trade-off"] = markdown(HEAD, curve)

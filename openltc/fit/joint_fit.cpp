@@ -254,6 +254,7 @@ std::vector<Vec4d> project_jointly(const std::vector<JointSample>& samples,
 
 std::vector<double> interpolate_jointly(const std::vector<JointSample>& samples,
                                         const std::vector<double>& values,
+                                        const std::vector<double>& importance,
                                         std::vector<double> start) {
   // One of the four channels carries the values; the others are 0.
   Unknowns at(start.size(), Vector4::Zero());
@@ -261,7 +262,7 @@ std::vector<double> interpolate_jointly(const std::vector<JointSample>& samples,
     at[i][0] = start[i];
   Locals locals(samples.size());
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    const double w = samples[s].weight;
+    const double w = samples[s].weight * (importance.empty() ? 1.0 : importance[s]);
     locals[s].gradient[0] = w * (interpolate(samples[s], at)[0] - values[s]);
     locals[s].hessian = Matrix4::Identity() * w;
   }

@@ -56,9 +56,11 @@ std::vector<Vec4d> project_jointly(const std::vector<JointSample>& samples,
                                    const std::vector<Vec4d>& best, int unknown_count,
                                    const JointFitOptions& options);
 
-/// Least squares of plain values through the same terms: sum of factor * unknown close to `values`.
+/// Least squares of plain values through the same terms: sum of factor * unknown close to `values`,
+/// the squares weighted with the samples' weights and with `importance` (empty: all alike).
 std::vector<double> interpolate_jointly(const std::vector<JointSample>& samples,
                                         const std::vector<double>& values,
+                                        const std::vector<double>& importance,
                                         std::vector<double> start);
 
 } // namespace openltc::fit

@@ -28,8 +28,8 @@ namespace openltc::fit {
 struct Objective {
   std::string name = "balanced";
   double tv = 1;
-  double l2 = 0.3;
-  double l3 = 0.3;
+  double l2 = 0.22;
+  double l3 = 0.22;
   double rounding = 0.05;
   Horizon horizon = Horizon::clipped;
 };

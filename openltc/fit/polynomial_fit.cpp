@@ -137,14 +137,17 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   joint.least_determinant = 2e-5;
   std::vector<Vec4d> mirror = project_jointly(samples->joint, samples->best, int(count), joint);
 
-  std::vector<double> wanted1, wanted5;
+  // n5 is what a dielectric's albedo hangs on, F0 n1 + (1 - F0) n5 with F0 = .04: small for most
+  // angles and roughnesses, where the error should be small too.
+  std::vector<double> wanted1, wanted5, importance5;
   for (const JointSample& sample : samples->joint) {
+    importance5.push_back(1 / (0.04 * sample.rule.n1 + 0.96 * sample.rule.n5));
     wanted1.push_back(sample.rule.n1);
     wanted5.push_back(sample.rule.n5);
   }
   const std::vector<double> zero(count, 0.0);
-  const std::vector<double> n1 = interpolate_jointly(samples->joint, wanted1, zero);
-  const std::vector<double> n5 = interpolate_jointly(samples->joint, wanted5, zero);
+  const std::vector<double> n1 = interpolate_jointly(samples->joint, wanted1, {}, zero);
+  const std::vector<double> n5 = interpolate_jointly(samples->joint, wanted5, importance5, zero);
 
   PolynomialFit result;
   for (int attempt = 0; attempt < 6; ++attempt) {

@@ -183,8 +183,8 @@ Status refine(Grid& grid) {
   joint.objective = grid.options.lobe.objective;
   joint.least_determinant = k_least_determinant;
   mirror = fit_jointly(*samples, mirror, joint).unknowns;
-  n1 = interpolate_jointly(*samples, wanted1, n1);
-  n5 = interpolate_jointly(*samples, wanted5, n5);
+  n1 = interpolate_jointly(*samples, wanted1, {}, n1);
+  n5 = interpolate_jointly(*samples, wanted5, {}, n5);
   // Least squares may overshoot where the albedo bends; more than the BRDF ever reflects must not
   // be.
   const double most = std::max(

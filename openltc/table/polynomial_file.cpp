@@ -4,6 +4,7 @@
 #include "openltc/table/polynomial_file.h"
 
 #include "openltc/base/atomic_file.h"
+#include "openltc/table/description.h"
 #include "openltc/table/polynomial_source.h"
 #include "openltc/target/shade_f64.h"
 
@@ -37,8 +38,6 @@ std::string number_rows(const LobePolynomial& polynomial) {
     }
   return rows;
 }
-
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string text_of(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
@@ -96,7 +95,7 @@ std::string to_json(const LobePolynomial& polynomial) {
   out += "\"metadata\": {\n";
   for (const MetadataField& field : k_metadata_fields)
     out += fmt::format("  \"{}\": {}{}\n", field.name,
-                       field.text ? quoted(m.*field.text) : fmt::format("{}", m.*field.number),
+                       field.text ? json_quoted(m.*field.text) : fmt::format("{}", m.*field.number),
                        &field == std::end(k_metadata_fields) - 1 ? "" : ",");
   out += "},\n";
   out += fmt::format("\"degree\": {},\n", polynomial.degree);
@@ -198,7 +197,7 @@ std::string to_builtin_source(const LobePolynomial& polynomial) {
     out += fmt::format("  polynomial.metadata.{} = {};\n", name, value);
   };
   for (const MetadataField& f : k_metadata_fields)
-    field(f.name, f.text ? quoted(m.*f.text) : fmt::format("{}", m.*f.number));
+    field(f.name, f.text ? json_quoted(m.*f.text) : fmt::format("{}", m.*f.number));
   out += "  return polynomial;\n}\n\n} // namespace\n\n";
   out += "const LobePolynomial& builtin_ggx_polynomial() {\n"
          "  static const LobePolynomial polynomial = make_polynomial();\n"

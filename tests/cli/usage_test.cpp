@@ -13,7 +13,7 @@ TEST_CASE("help_of_the_tool_names_every_command_and_what_it_does") {
   const Run help = run_tool({"--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.err.empty());
-  for (const char* command : {"render", "fit", "compare", "inspect"})
+  for (const char* command : {"render", "fit", "compare", "inspect", "convert"})
     CHECK(contains(help.out, std::string("\n  ") + command + " "));
   CHECK(line_count(help.out) < 30); // the whole tool at a glance
   const Run version = run_tool({"--version"});
@@ -49,7 +49,29 @@ TEST_CASE("help_of_each_command_lists_its_options_and_examples") {
         "neutral|aces|none",
         ".exr",
         "openltc render"}},
-      {"fit", {"--brdf", "--size", "-o,", "--report", "openltc fit"}},
+      {"fit",
+       {"--brdf",
+        "--list",
+        "--size",
+        "--objective",
+        "balanced",
+        "--form",
+        "table|polynomial",
+        "--degree",
+        "--layout",
+        "native|ltc_code|unity|godot|o3de",
+        "--precision",
+        "float32|float16",
+        "--refine",
+        "auto|on|off",
+        "--clip-aware",
+        "-o,",
+        ".ktx2",
+        "--report",
+        ".html",
+        "--against",
+        "openltc fit"}},
+      {"convert", {"--layout", "--precision", "--from-layout", "--size", "openltc convert"}},
       {"compare", {"--metric", "--diff", "--json", "FLIP", "openltc compare"}},
       {"inspect", {"--json", ".glb", ".exr", "openltc inspect"}}};
   for (const Case& c : commands) {

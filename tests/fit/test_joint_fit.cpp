@@ -97,7 +97,7 @@ TEST_CASE("a projection of lobes that the terms can represent gives them back") 
   CHECK(found[0].y == doctest::Approx(a.y).epsilon(1e-3));
   CHECK(found[1].z == doctest::Approx(b.z).epsilon(1e-3));
   CHECK(found[1].w == doctest::Approx(b.w).epsilon(1e-3));
-  const std::vector<double> line = fit::interpolate_jointly(samples, values, {0, 0});
+  const std::vector<double> line = fit::interpolate_jointly(samples, values, {}, {0, 0});
   CHECK(line[0] == doctest::Approx(0.9));
   CHECK(line[1] == doctest::Approx(0.7));
 }

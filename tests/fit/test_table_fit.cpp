@@ -73,11 +73,11 @@ TEST_CASE("the built-in's errors between the nodes stay within their bounds") {
   const fit::TableError sharp = *fit::measure_lobes(ggx(), fit::lobes_of(t), options);
   MESSAGE("mean TV ", rough.mean.tv, " and ", sharp.mean.tv, ", largest ", rough.max.tv, " and ",
           sharp.max.tv);
-  CHECK(rough.mean.tv < 0.0380);
+  CHECK(rough.mean.tv < 0.0375);
   CHECK(rough.max.tv < 0.33);
-  CHECK(rough.mean.l2 < 0.0545);
-  CHECK(rough.mean.l3 < 0.0535);
-  CHECK(rough.p95.peak < 0.09);
+  CHECK(rough.mean.l2 < 0.0555);
+  CHECK(rough.mean.l3 < 0.0550);
+  CHECK(rough.p95.peak < 0.105);
   CHECK(rough.mean.leak < 0.005);
   CHECK(rough.mean.n1 < 4e-4);
   CHECK(rough.p95.n1 < 1e-3);
