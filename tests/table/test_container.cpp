@@ -151,6 +151,21 @@ TEST_CASE("sizes that are no table's, or overflow, are refused before memory is 
   }
 }
 
+TEST_CASE("an attribute of an EXR that claims more than the file is refused by itself") {
+  const Bytes good = encode_exr(some_texture(4, Precision::float32), "x.exr").value();
+  // Name, type and size: "openltc.brdf" 0 "string" 0 size.
+  const std::string key("openltc.brdf\0string\0", 20);
+  const auto at = std::search(good.begin(), good.end(), key.begin(), key.end());
+  REQUIRE(at != good.end());
+  const std::size_t size_at = std::size_t(at - good.begin()) + key.size();
+  for (const std::uint32_t size : {std::uint32_t(good.size()), 0x10000000u, 0x7fffffffu, ~0u}) {
+    CAPTURE(size);
+    Bytes bytes = good;
+    set_u32(bytes, size_at, size);
+    CHECK(refusal(k_formats[2], bytes).find("does not fit into the file") != std::string::npos);
+  }
+}
+
 TEST_CASE("changing any byte is noticed, harmless, or changes the values") {
   for (const Format& format : k_formats) {
     CAPTURE(std::string(format.name));
