@@ -5,6 +5,7 @@
 // OpenEXR through the OpenEXR library, version 2.5 or 3, in memory.
 
 #include "openltc/table/container.h"
+#include "openltc/table/exr_header.h"
 #include "openltc/table/half.h"
 
 #include <ImathBox.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <optional>
 #include <stdexcept>
 
 namespace openltc::table {
@@ -85,58 +85,6 @@ void limit_header_sizes() {
   (void)done;
 }
 
-// Reads a header without believing it. `at` stays within the bytes.
-struct HeaderWalk {
-  ByteView bytes;
-  std::size_t at = 8; // behind the magic number and the version
-
-  std::size_t left() const { return bytes.size() - at; }
-  std::optional<std::string> text() {
-    const auto end = std::find(bytes.begin() + std::ptrdiff_t(at), bytes.end(), std::uint8_t(0));
-    if (end == bytes.end()) return {};
-    std::string found(bytes.begin() + std::ptrdiff_t(at), end);
-    at += found.size() + 1;
-    return found;
-  }
-  std::optional<std::size_t> size() {
-    if (left() < 4) return {};
-    std::uint32_t value = 0;
-    for (int i = 3; i >= 0; --i)
-      value = value << 8 | bytes[at + std::size_t(i)];
-    at += 4;
-    if (value > left()) return {};
-    return value;
-  }
-};
-
-// Whether all attributes of the header, or headers, lie within the file. The library takes the
-// memory that an attribute says it needs, up to 2 GiB, before it looks whether it is there.
-bool attributes_fit(ByteView bytes) {
-  if (bytes.size() < 8) return false;
-  const bool many_parts = (bytes[5] & 0x10) != 0; // bit 12 of the version
-  HeaderWalk walk{bytes};
-  for (bool first = true; first || many_parts; first = false) {
-    for (int attributes = 0;; ++attributes) {
-      const std::optional<std::string> name = walk.text();
-      if (!name) return false;
-      if (name->empty() && attributes == 0) return !first; // no header: the end of many parts
-      if (name->empty()) break;
-      const std::optional<std::string> type = walk.text();
-      const std::optional<std::size_t> size = walk.size();
-      if (!type || !size) return false;
-      const std::size_t end = walk.at + *size;
-      if (*type == "stringvector")
-        while (walk.at < end) {
-          const std::optional<std::size_t> inner = walk.size();
-          if (!inner) return false;
-          walk.at += *inner;
-        }
-      walk.at = end;
-    }
-  }
-  return true;
-}
-
 // Whatever OpenEXR throws becomes one line.
 template <class T, class Function>
 Result<T> guarded(const std::string& name, const char* action, Function&& function) {
@@ -184,7 +132,7 @@ Result<Texture> decode_exr(ByteView bytes, const std::string& name) {
   static constexpr std::uint8_t magic[] = {0x76, 0x2f, 0x31, 0x01};
   if (bytes.size() < 4 || !std::equal(magic, magic + 4, bytes.begin()))
     return Error{fmt::format("{}: not an OpenEXR file", name)};
-  if (!attributes_fit(bytes))
+  if (!exr_attributes_fit(bytes))
     return Error{fmt::format("{}: an attribute of the OpenEXR file's header does not fit into the "
                              "file; was it cut off?",
                              name)};
