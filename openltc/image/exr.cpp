@@ -9,6 +9,7 @@
 
 #include "openltc/base/atomic_file.h"
 #include "openltc/image/codec.h"
+#include "openltc/image/exr_header.h"
 
 #include <ImathBox.h>
 #include <ImfChannelList.h>
@@ -22,14 +23,18 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <half.h>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 namespace openltc::image {
 
@@ -293,12 +298,22 @@ Status check_layers(const std::string& path, std::span<const Layer> layers) {
   return Success{};
 }
 
+// Before the library takes what the header asks for.
+Status check_header(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!exr_attributes_fit(bytes))
+    return Error{fmt::format("{}: the header is damaged or no OpenEXR header", path)};
+  return Success{};
+}
+
 } // namespace
 
 Result<Image> read_layer(const std::string& path, const std::string& layer) {
   if (Status ok = check_exists(path); !ok) return ok.error();
   return guarded<Image>(path, "read", [&]() -> Result<Image> {
     limit_header_sizes();
+    if (Status ok = check_header(path); !ok) return ok.error();
     Imf::InputFile file(path.c_str());
     if (!file.isComplete()) return Error{fmt::format("{}: the file is cut short", path)};
     const std::vector<std::string> names = find_components(file.header().channels(), layer);
@@ -315,6 +330,7 @@ Result<std::vector<std::string>> layer_names(const std::string& path) {
   if (Status ok = check_exists(path); !ok) return ok.error();
   return guarded<std::vector<std::string>>(path, "read", [&]() -> Result<std::vector<std::string>> {
     limit_header_sizes();
+    if (Status ok = check_header(path); !ok) return ok.error();
     return find_layers(Imf::InputFile(path.c_str()).header().channels());
   });
 }

@@ -11,14 +11,14 @@
 // The library reads a value by its type and goes on where that ends, not where `size` says. Both
 // must agree, or the two readings of a header would part.
 
-#include "openltc/table/exr_header.h"
+#include "openltc/image/exr_header.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
 
-namespace openltc::table {
+namespace openltc::image {
 
 namespace {
 
@@ -39,7 +39,7 @@ constexpr FixedSize k_fixed_sizes[] = {
 
 // Bytes that are not believed; `at` stays within them.
 struct Walk {
-  ByteView bytes;
+  std::span<const std::uint8_t> bytes;
   std::size_t at = 0;
 
   std::size_t left() const { return bytes.size() - at; }
@@ -89,7 +89,7 @@ bool is_preview(Walk value) {
   return std::uint64_t(*width) * *height * 4 == value.left();
 }
 
-bool value_fits(const std::string& type, ByteView value) {
+bool value_fits(const std::string& type, std::span<const std::uint8_t> value) {
   for (const FixedSize& fixed : k_fixed_sizes)
     if (type == fixed.type) return value.size() == fixed.size;
   if (type == "chlist") return is_channel_list({value});
@@ -101,7 +101,7 @@ bool value_fits(const std::string& type, ByteView value) {
 
 } // namespace
 
-bool exr_attributes_fit(ByteView bytes) {
+bool exr_attributes_fit(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < 8) return false;
   const bool many_parts = (bytes[5] & 0x10) != 0; // bit 12 of the version
   Walk walk{bytes, 8};
@@ -121,4 +121,4 @@ bool exr_attributes_fit(ByteView bytes) {
   return true;
 }
 
-} // namespace openltc::table
+} // namespace openltc::image
