@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -73,6 +74,13 @@ void add_product(Bivariate& sum, const Bivariate& a, const Bivariate& b, double 
         for (int l = 0; l <= b.n; ++l)
           if (const double v = factor * a.at(i, j) * b.at(k, l); v != 0)
             sum.at(i + k + x_power, j + l) += v;
+}
+
+double sum_of_sizes(const Bivariate& p) {
+  double sum = 0;
+  for (const double c : p.c)
+    sum += std::abs(c);
+  return sum;
 }
 
 double binomial(int n, int k) {
@@ -136,6 +144,8 @@ Certificate certify_determinant(const table::LobePolynomial& p, int max_boxes) {
   const Bivariate c = powers_of_channel(p, 2), d = powers_of_channel(p, 3);
   add_product(determinant, a, d, 1, 0);
   add_product(determinant, b, c, -1, wide ? 0 : 2);
+  const double size_of_products =
+      sum_of_sizes(a) * sum_of_sizes(d) + sum_of_sizes(b) * sum_of_sizes(c);
 
   const double least_roughness = f64::roughness_from_alpha(f64::k_min_alpha);
   std::priority_queue<Box> open;
@@ -155,8 +165,10 @@ Certificate certify_determinant(const table::LobePolynomial& p, int max_boxes) {
       open.push(std::move(box));
     }
   }
-  // What rounding may have cost: far above it, far below any determinant in use.
-  result.lower_bound = open.top().bound - 1e-12;
+  // What rounding may have cost: every coefficient above is a sum of at most some hundred products,
+  // each of them within the sum of the products' sizes, and every halving rounds some fifty times.
+  result.lower_bound =
+      open.top().bound - 2000 * std::numeric_limits<double>::epsilon() * size_of_products;
   return result;
 }
 

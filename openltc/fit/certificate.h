@@ -19,7 +19,7 @@ struct Certificate {
 };
 
 /// Bounds the determinant of the stored, rounded coefficients by Bernstein's form on a subdivided
-/// domain. The bound is exact up to the rounding of double precision (below 1e-12) and stops being
+/// domain. The bound allows for the rounding of double precision on the way and stops being
 /// sharpened when it is positive and within a tenth of smallest_seen, or after max_boxes.
 Certificate certify_determinant(const table::LobePolynomial& polynomial, int max_boxes = 20000);
 

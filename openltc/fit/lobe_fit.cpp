@@ -50,10 +50,7 @@ double lobe_leak(Vec4d abcd, double alpha, double cos_theta) {
   return 1 - above_horizon(f64::lobe_from_mirror(abcd, alpha, cos_theta));
 }
 
-double above_horizon(const f64::Lobe& lobe) {
-  const double length = std::hypot(lobe.m00, lobe.m20);
-  return length > 0 ? 0.5 * (1 + lobe.m00 / length) : 1.0;
-}
+double above_horizon(const f64::Lobe& lobe) { return f64::share_above_horizon(lobe); }
 
 Vec4d cosine_start(double alpha, double cos_theta) {
   return f64::mirror_from_lobe(f64::cosine_lobe(), alpha, cos_theta);

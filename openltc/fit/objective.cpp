@@ -26,7 +26,6 @@ Result<Objective> find_objective(std::string_view name) {
   Objective o;
   if (name == "balanced") return o;
   o.name = name;
-  o.rounding = 0.01;
   o.l2 = o.l3 = o.tv = 0;
   if (name == "tv") return o.tv = 1, o;
   if (name == "l2") return o.l2 = 1, o;
@@ -46,7 +45,6 @@ Result<Objective> find_objective(std::string_view name) {
     at = end + 1;
   }
   if (end && o.tv + o.l2 + o.l3 > 0) {
-    o.rounding = Objective().rounding;
     return o;
   }
   return Error{fmt::format("objective {}: choose balanced, tv, l2, l3, or three weights TV,L2,L3 "

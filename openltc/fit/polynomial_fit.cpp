@@ -57,7 +57,8 @@ struct Samples {
   std::vector<Vec4d> best; // fitted by themselves
 };
 
-Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions& options) {
+Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions& options,
+                             QuadratureSize quadrature) {
   const int n = options.samples;
   const int columns = brdf.has_parameter() ? n : 1, rows = n + int(k_rim.size());
   // Closer towards the mirror, where lobes are narrow and a small error of a coefficient is a large
@@ -83,9 +84,8 @@ Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions&
     Vec4d start;
     for (int column = columns - 1; column >= 0; --column) {
       const std::size_t at = std::size_t(row) * std::size_t(columns) + std::size_t(column);
-      Result<Quadrature> rule =
-          make_quadrature(brdf, roughness_of(column, rim), 1 - y * y,
-                          half_vectors[std::size_t(column)], options.quadrature);
+      Result<Quadrature> rule = make_quadrature(brdf, roughness_of(column, rim), 1 - y * y,
+                                                half_vectors[std::size_t(column)], quadrature);
       if (!rule) {
         failures[std::size_t(row)] = rule.error().message;
         return;
@@ -126,7 +126,10 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
       options.degree > LobePolynomial::k_max_degree)
     return Error{fmt::format("polynomial degree {}: choose {} to {}", options.degree,
                              LobePolynomial::k_min_degree, LobePolynomial::k_max_degree)};
-  const Result<Samples> samples = make_samples(brdf, options);
+  const Result<QuadratureSize> quadrature =
+      options.quadrature ? Result<QuadratureSize>(*options.quadrature) : choose_quadrature(brdf);
+  if (!quadrature) return quadrature.error();
+  const Result<Samples> samples = make_samples(brdf, options, *quadrature);
   if (!samples) return samples.error();
 
   const std::size_t count = std::size_t(table::polynomial_terms(options.degree));

@@ -12,13 +12,15 @@
 #include "openltc/fit/objective.h"
 #include "openltc/table/lobe_polynomial.h"
 
+#include <optional>
+
 namespace openltc::fit {
 
 /// How polynomials are fitted.
 struct PolynomialFitOptions {
   int degree = 4;   ///< total degree, table::LobePolynomial::k_min_degree to k_max_degree
   int samples = 32; ///< per axis, at the midpoints of equal parts of roughness and sqrt(1 - cos)
-  QuadratureSize quadrature{20, 32};
+  std::optional<QuadratureSize> quadrature; ///< choose_quadrature's, if not given
   Objective objective;
 };
 

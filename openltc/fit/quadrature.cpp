@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -126,8 +127,10 @@ HalfVectors find_half_vectors(const brdf::Brdf& brdf, double roughness) {
   return found;
 }
 
-Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
-                                   HalfVectors half_vectors, QuadratureSize size) {
+namespace {
+
+Result<Quadrature> make_rule(const brdf::Brdf& brdf, double roughness, double cos_theta,
+                             HalfVectors half_vectors, QuadratureSize size) {
   Quadrature q;
   q.cos_theta = cos_theta;
   q.roughness = roughness;
@@ -209,9 +212,62 @@ Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, dou
   return q;
 }
 
+// What a BRDF of the user's throws becomes an error.
+template <class Body> auto guarded(const brdf::Brdf& brdf, Body body) -> decltype(body()) {
+  if (!brdf.eval) return Error{fmt::format("brdf {}: it has no function to evaluate", brdf.name)};
+  try {
+    return body();
+  } catch (const std::exception& e) {
+    return Error{fmt::format("brdf {}: its function threw: {}", brdf.name, e.what())};
+  } catch (...) {
+    return Error{fmt::format("brdf {}: its function threw", brdf.name)};
+  }
+}
+
+} // namespace
+
+Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
+                                   HalfVectors half_vectors, QuadratureSize size) {
+  return guarded(brdf, [&] { return make_rule(brdf, roughness, cos_theta, half_vectors, size); });
+}
+
 Result<Quadrature> make_quadrature(const brdf::Brdf& brdf, double roughness, double cos_theta,
                                    QuadratureSize size) {
-  return make_quadrature(brdf, roughness, cos_theta, find_half_vectors(brdf, roughness), size);
+  return guarded(brdf, [&] {
+    return make_rule(brdf, roughness, cos_theta, find_half_vectors(brdf, roughness), size);
+  });
+}
+
+Result<QuadratureSize> choose_quadrature(const brdf::Brdf& brdf) {
+  constexpr double k_agreement = 0.01;
+  constexpr QuadratureSize k_sizes[] = {{20, 32}, {40, 64}, {80, 128}};
+  const std::vector<double> probes =
+      brdf.has_parameter() ? std::vector<double>{0.02, 0.1, 0.4, 0.8} : std::vector<double>{1.0};
+  double apart = 0, roughness_there = 0, degrees_there = 0;
+  for (const QuadratureSize size : k_sizes) {
+    apart = 0;
+    for (const double roughness : probes) {
+      for (const double degrees : {0.0, 25.0, 50.0, 75.0}) {
+        const double c = std::cos(degrees * f64::k_pi / 180);
+        const Result<Quadrature> coarse = make_quadrature(brdf, roughness, c, size);
+        const Result<Quadrature> fine =
+            make_quadrature(brdf, roughness, c, {2 * size.radial, 2 * size.azimuths});
+        if (!coarse) return coarse.error();
+        if (!fine) return fine.error();
+        const double here = std::abs(coarse->n1 - fine->n1) / fine->n1;
+        if (here > apart) {
+          apart = here;
+          roughness_there = roughness;
+          degrees_there = degrees;
+        }
+      }
+    }
+    if (apart < k_agreement) return size;
+  }
+  return Error{fmt::format("brdf {}: its albedo at roughness {:g}, theta {:g} degrees does not "
+                           "settle with more points (still {:.0f} % apart): a lobe that narrow "
+                           "away from the mirror direction is not found",
+                           brdf.name, roughness_there, degrees_there, apart * 100)};
 }
 
 } // namespace openltc::fit

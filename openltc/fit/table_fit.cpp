@@ -48,6 +48,7 @@ struct Grid {
   const brdf::Brdf& brdf;
   const TableFitOptions& options;
   int columns, rows;
+  QuadratureSize quadrature;
   std::vector<HalfVectors> half_vectors; // find_half_vectors of each column
   std::vector<Node> nodes;
 
@@ -64,7 +65,7 @@ Result<Quadrature> node_rule(const Grid& grid, int column, int row, Node& node) 
       row == 0 ? 1.0 : cosine_at(double(row) / (grid.rows - 1), grid.options.angle_axis);
   const auto rule_at = [&](double cos_theta) {
     return make_quadrature(grid.brdf, grid.roughness(column), cos_theta,
-                           grid.half_vectors[std::size_t(column)], grid.options.quadrature);
+                           grid.half_vectors[std::size_t(column)], grid.quadrature);
   };
   const bool last = row == grid.rows - 1;
   Result<Quadrature> rule = rule_at(last ? grazing.lobe_cosine : c);
@@ -123,7 +124,7 @@ constexpr double k_least_determinant = 1e-5;
 // Samples between the nodes, at the centres of an even subdivision of every cell, with the share
 // each corner of the cell has in them.
 Result<std::vector<JointSample>> make_samples(const Grid& grid) {
-  const int per_cell = std::max(2, 48 / grid.rows);
+  const int per_cell = std::max(2, 40 / grid.rows);
   const int across = grid.columns > 1 ? (grid.columns - 1) * per_cell : 1;
   const int along = (grid.rows - 1) * per_cell;
   std::vector<HalfVectors> half_vectors;
@@ -146,8 +147,7 @@ Result<std::vector<JointSample>> make_samples(const Grid& grid) {
     Result<Quadrature> rule = make_quadrature(
         grid.brdf, grid.roughness(x),
         rim ? k_rim_cosine : cosine_at(y / (grid.rows - 1), grid.options.angle_axis),
-        rim ? grid.half_vectors[std::size_t(i)] : half_vectors[std::size_t(i)],
-        grid.options.quadrature);
+        rim ? grid.half_vectors[std::size_t(i)] : half_vectors[std::size_t(i)], grid.quadrature);
     if (!rule) {
       failures[k] = rule.error().message;
       return;
@@ -264,7 +264,12 @@ Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& optio
   if (options.size < 2 || options.size > 512)
     return Error{fmt::format("table size {}: choose 2 to 512 nodes per axis", options.size)};
 
-  Grid grid{brdf, options, brdf.has_parameter() ? options.size : 1, options.size, {}, {}};
+  Result<QuadratureSize> quadrature =
+      options.quadrature ? Result<QuadratureSize>(*options.quadrature) : choose_quadrature(brdf);
+  if (!quadrature) return quadrature.error();
+
+  Grid grid{brdf, options, brdf.has_parameter() ? options.size : 1, options.size, *quadrature,
+            {},   {}};
   grid.nodes.resize(std::size_t(grid.columns) * std::size_t(grid.rows));
   for (int i = 0; i < grid.columns; ++i)
     grid.half_vectors.push_back(find_half_vectors(brdf, grid.roughness(i)));

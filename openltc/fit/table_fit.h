@@ -12,6 +12,7 @@
 #include "openltc/table/lobe_table.h"
 
 #include <functional>
+#include <optional>
 
 namespace openltc::fit {
 
@@ -28,7 +29,7 @@ struct TableFitOptions {
   int size = 64; ///< nodes per axis, 2..512; a BRDF without a parameter gets one column
   table::AngleAxis angle_axis = table::AngleAxis::sqrt_one_minus_cos;
   Refine refine = Refine::automatic;
-  QuadratureSize quadrature{20, 32};
+  std::optional<QuadratureSize> quadrature; ///< choose_quadrature's, if not given
   LobeFitOptions lobe;
 };
 
@@ -47,7 +48,7 @@ double cosine_at(double position, table::AngleAxis axis);
 /// Fits a table. `progress` (may be empty) is called with the share done, 0..1, from any thread,
 /// one call at a time. The result depends neither on the number of threads nor on the instruction
 /// set; every coefficient is rounded to six decimal digits, so that it hardly depends on the last
-/// bits of a maths library either. describe_table completes the metadata.
+/// bits of a maths library either. complete_metadata completes what it says about itself.
 ///
 /// Fails with one line when the BRDF is not finite, negative or without energy, and when no lobe
 /// between the nodes could be kept from turning inside out.

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 using namespace openltc;
 
@@ -95,4 +97,31 @@ TEST_CASE("the quadrature's points lie above the surface and their density is no
       CHECK(mass == doctest::Approx(1).epsilon(1e-12));
     }
   }
+}
+
+TEST_CASE("every built-in BRDF settles, and what cannot be found is refused") {
+  for (const brdf::Brdf& b : brdf::all_brdfs()) {
+    CAPTURE(b.name);
+    CHECK(fit::choose_quadrature(b).ok());
+  }
+  CHECK(fit::choose_quadrature(ggx())->radial == 20);
+  // A narrow retroreflection lies nowhere near the half vectors that the rule crowds around.
+  const auto retro = brdf::brdf_from_function("retro", [](Vec3d wo, Vec3d wi, double) {
+    return std::pow(std::max(dot(wo, wi), 0.0), 4000.0);
+  });
+  const Result<fit::QuadratureSize> refused = fit::choose_quadrature(retro);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find("brdf retro: ") == 0);
+}
+
+TEST_CASE("a BRDF that throws or has no function becomes an error") {
+  const auto throws = brdf::brdf_from_function(
+      "throws", [](Vec3d, Vec3d, double) -> double { throw std::runtime_error("no such file"); });
+  const Result<fit::Quadrature> thrown = fit::make_quadrature(throws, 0.5, 0.5, {8, 8});
+  REQUIRE_FALSE(thrown);
+  CHECK(thrown.error().message.find("no such file") != std::string::npos);
+  brdf::Brdf empty;
+  empty.name = "empty";
+  CHECK_FALSE(fit::make_quadrature(empty, 0.5, 0.5, {8, 8}).ok());
+  CHECK_FALSE(fit::choose_quadrature(empty).ok());
 }
