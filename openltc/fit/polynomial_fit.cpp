@@ -108,13 +108,13 @@ float round_to_seven_digits(double x) {
 }
 
 LobePolynomial pack(const brdf::Brdf& brdf, int degree, const std::vector<Vec4d>& mirror,
-                    const std::vector<double>& n1, const std::vector<double>& n5) {
+                    const std::vector<double>& n1, const std::vector<double>& s) {
   LobePolynomial p;
   p.degree = degree;
   p.width = brdf.width;
   for (std::size_t term = 0; term < mirror.size(); ++term)
     for (const double c : {mirror[term].x, mirror[term].y, mirror[term].z, mirror[term].w, n1[term],
-                           n5[term], 0.0, 0.0})
+                           s[term], 0.0, 0.0})
       p.coefficients.push_back(round_to_seven_digits(c));
   return p;
 }
@@ -140,17 +140,20 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   joint.least_determinant = 2e-5;
   std::vector<Vec4d> mirror = project_jointly(samples->joint, samples->best, int(count), joint);
 
-  // n5 is what a dielectric's albedo hangs on, F0 n1 + (1 - F0) n5 with F0 = .04: small for most
-  // angles and roughnesses, where the error should be small too.
-  std::vector<double> wanted1, wanted5, importance5;
+  // n5 = n1 s^5 is what a dielectric's albedo hangs on, E = F0 n1 + (1 - F0) n5 with F0 = .04: its
+  // relative error is what counts, (1 - F0) 5 n1 s^4 ds / E, and a little of ds everywhere.
+  std::vector<double> wanted1, wanted_s, importance_s;
   for (const JointSample& sample : samples->joint) {
-    importance5.push_back(1 / (0.04 * sample.rule.n1 + 0.96 * sample.rule.n5));
+    const double albedo = sample.rule.n1, weighted = std::max(sample.rule.n5, 0.0);
+    const double s = std::pow(weighted / albedo, 0.2);
+    const double slope = 0.96 * 5 * albedo * s * s * s * s / (0.04 * albedo + 0.96 * weighted);
+    wanted_s.push_back(s);
+    importance_s.push_back(slope * slope + 1e-2);
     wanted1.push_back(sample.rule.n1);
-    wanted5.push_back(sample.rule.n5);
   }
   const std::vector<double> zero(count, 0.0);
   const std::vector<double> n1 = interpolate_jointly(samples->joint, wanted1, {}, zero);
-  const std::vector<double> n5 = interpolate_jointly(samples->joint, wanted5, importance5, zero);
+  const std::vector<double> s = interpolate_jointly(samples->joint, wanted_s, importance_s, zero);
 
   PolynomialFit result;
   for (int attempt = 0; attempt < 6; ++attempt) {
@@ -163,7 +166,7 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
     JointFitOptions own = joint;
     own.objective = options.objective;
     result.polynomial =
-        pack(brdf, options.degree, fit_jointly(samples->joint, mirror, own).unknowns, n1, n5);
+        pack(brdf, options.degree, fit_jointly(samples->joint, mirror, own).unknowns, n1, s);
     result.certificate = certify_determinant(result.polynomial);
     if (result.certificate.lower_bound > 0) break;
     joint.least_determinant *= 3;

@@ -4,7 +4,7 @@
 // Fitted lobes without a table: a polynomial for each channel.
 //
 // With u = 2 sqrt(alpha) - 1 and v = 2 sqrt(1 - cos theta) - 1, both in [-1, 1] and the axes of the
-// native table (table.glsl), each of A, B, C, D (the mirror packing, lobe.glsl), n1 and n5 is
+// native table (table.glsl), each of A, B, C, D (the mirror packing, lobe.glsl), n1 and s is
 //   sum over i + j <= degree of c_ij T_i(u) T_j(v),
 // T_n being Chebyshev's polynomials, T_0 = 1, T_1 = x, T_n+1 = 2 x T_n - T_n-1. They stay within
 // 1, so the coefficients show what each term is worth, and single precision loses nothing.
@@ -13,7 +13,10 @@
 // target gives
 //   int  lobe_polynomial_degree(LobePolynomial)
 //   Vec4 lobe_polynomial_mirror(LobePolynomial, term)      c_ij of A B C D
-//   Vec2 lobe_polynomial_amplitudes(LobePolynomial, term)  c_ij of n1 n5
+//   Vec2 lobe_polynomial_amplitudes(LobePolynomial, term)  c_ij of n1 s
+//
+// s = (n5 / n1)^(1/5) stands in for n5: Schlick's (1 - cos)^5 is of degree ten in v, its root of
+// degree two. A dielectric's reflection, .04 n1 + .96 n5, hangs on n5 where that is small.
 
 /// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
 /// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
@@ -55,14 +58,17 @@ FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alph
   fitted.lobe = lobe_from_mirror(abcd, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
   fitted.lobe.det = max(fitted.lobe.det, Real(k_tiny));
   fitted.n1 = max(amplitudes.x, Real(0.0));
-  fitted.n5 = min(max(amplitudes.y, Real(0.0)), fitted.n1);
+  Real s = min(max(amplitudes.y, Real(0.0)), Real(1.0));
+  Real s2 = s * s;
+  fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;
 }
 
 /// The same of a microfacet BRDF, which reflects no more than it receives: n1 in [0, 1].
 FN FittedLobe eval_lobe_polynomial(LobePolynomial polynomial, Real alpha, Real cos_theta) {
   FittedLobe fitted = eval_lobe_polynomial_of_width(polynomial, alpha, alpha, cos_theta);
-  fitted.n1 = min(fitted.n1, Real(1.0));
-  fitted.n5 = min(fitted.n5, fitted.n1);
+  Real excess = max(fitted.n1, Real(1.0));
+  fitted.n1 = fitted.n1 / excess;
+  fitted.n5 = fitted.n5 / excess;
   return fitted;
 }

@@ -18,10 +18,10 @@ constexpr int polynomial_terms(int degree) { return (degree + 1) * (degree + 2) 
 
 /// Coefficients of the lobe M^-1 and its amplitudes as polynomials of roughness and view angle.
 ///
-/// Each of A B C D n1 n5, the channels of a LobeTable's texel, is the sum over i + j <= degree of
+/// Each of A B C D n1 s is the sum over i + j <= degree of
 /// c_ij T_i(u) T_j(v), T being Chebyshev's polynomials, u = 2 sqrt(alpha) - 1 = 2 roughness - 1,
 /// v = 2 sqrt(1 - cos theta) - 1 (shade/polynomial.glsl). The lobe's width is alpha or 1.
-/// Storage: 32-bit float; terms of 8 floats, A B C D n1 n5 0 0, with j from 0 to degree slow and i
+/// Storage: 32-bit float; terms of 8 floats, A B C D n1 s 0 0, with j from 0 to degree slow and i
 /// from 0 to degree - j fast.
 struct LobePolynomial {
   static constexpr int k_channels = 8;

@@ -133,7 +133,7 @@ std::string body(const LobePolynomial& polynomial, SourceLanguage language) {
   w.value("u1", two + " * " + w.sqrt("alpha") + " - " + one);
   w.value("v1", two + " * " + w.sqrt(one + " - cos_o") + " - " + one);
   write_products(w, polynomial.degree);
-  const char* channels[] = {"a", "b", "c", "d", "n1", "n5"};
+  const char* channels[] = {"a", "b", "c", "d", "n1", "s"};
   for (int k = 0; k < 6; ++k)
     w.value(channels[k], channel_sum(w, polynomial, k));
   w.result();
@@ -147,7 +147,8 @@ std::string body(const LobePolynomial& polynomial, SourceLanguage language) {
   w.field("share",
           fmt::format("{} + {} * lobe.m00 / {}", half, half, w.sqrt(w.max("length2", tiny))));
   w.field("n1", narrow ? w.clamped("n1", zero, one) : w.max("n1", zero));
-  w.field("n5", w.clamped("n5", zero, "lobe.n1"));
+  w.value("root", w.clamped("s", zero, one));
+  w.field("n5", "lobe.n1 * (root * root * root * root * root)");
   w.line("return lobe;");
   return w.text();
 }
