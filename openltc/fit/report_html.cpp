@@ -309,8 +309,8 @@ std::string to_html(const Report& report) {
   }
   page += "<h3>Light and smoothness</h3>\n<p class=\"note\">" + family_text(report.lights) +
           " The bound is checked for these lights by themselves and as shading makes them where "
-          "F = 1, n1 D against ρ; a light beyond it is beyond by more than the quadratures’ own "
-          "error, " +
+          "F = 1, n1 D against ρ; a light counts as beyond it from what the quadratures may err "
+          "by on, " +
           html_number(k_light_tolerance) +
           ". The last row is the mean absolute second difference of M⁻¹ (middle element 1) over "
           "roughness and √(1−cos θ), whatever the packing.</p>\n" +

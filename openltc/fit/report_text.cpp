@@ -57,7 +57,7 @@ std::string to_text(const Report& report) {
   text += "bound: no light of radiance 0 to L errs by more than bound * L where F = 1\n";
   for (const RegionReport& region : report.regions) {
     const MeasureOptions& o = region.region;
-    text += fmt::format("{}, theta to {}°, {} × {} points between the nodes\n", region.name,
+    text += fmt::format("{}, theta to {}°, {} × {} points on a grid of its own\n", region.name,
                         o.theta_to_degrees, o.points, o.points);
     text += row_of(report, "",
                    [](std::size_t) { return std::string("   mean  median     p95     max"); });
