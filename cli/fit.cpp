@@ -160,7 +160,6 @@ Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
   for (const std::string& path : arguments.against)
     options.command += fmt::format(" --against {}", shell_word(path));
   options.tool_version = OPENLTC_VERSION;
-  options.fit_seconds = fitted.seconds;
   return fit::make_report(brdf, candidates, options);
 }
 

@@ -18,37 +18,41 @@ namespace openltc::fit {
 namespace {
 
 constexpr std::array k_fields = {
-    LobeErrorField{"tv", &LobeError::tv},     LobeErrorField{"l1", &LobeError::l1},
-    LobeErrorField{"l2", &LobeError::l2},     LobeErrorField{"l3", &LobeError::l3},
-    LobeErrorField{"peak", &LobeError::peak}, LobeErrorField{"leak", &LobeError::leak},
-    LobeErrorField{"n1", &LobeError::n1},     LobeErrorField{"n5", &LobeError::n5}};
+    LobeErrorField{"tv", &LobeError::tv},     LobeErrorField{"bound", &LobeError::bound},
+    LobeErrorField{"l1", &LobeError::l1},     LobeErrorField{"l2", &LobeError::l2},
+    LobeErrorField{"l3", &LobeError::l3},     LobeErrorField{"peak", &LobeError::peak},
+    LobeErrorField{"leak", &LobeError::leak}, LobeErrorField{"n1", &LobeError::n1},
+    LobeErrorField{"n5", &LobeError::n5}};
 
-// A lobe with all of its energy below the horizon cannot be scaled up; it stays this far from it.
-constexpr double k_least_share_above = 1e-6;
+} // namespace
 
 bool is_finite(const f64::FittedLobe& f) {
   return std::isfinite(f.lobe.m00) && std::isfinite(f.lobe.m02) && std::isfinite(f.lobe.m20) &&
-         std::isfinite(f.lobe.m22) && std::isfinite(f.n1) && std::isfinite(f.n5);
+         std::isfinite(f.lobe.m22) && std::isfinite(f.lobe.det) && std::isfinite(f.n1) &&
+         std::isfinite(f.n5);
 }
-
-} // namespace
 
 std::span<const LobeErrorField> lobe_error_fields() { return k_fields; }
 
 double horizon_scale(const f64::Lobe& lobe, Horizon horizon) {
   if (horizon == Horizon::leaking) return 1;
-  // The share above is (1 + cos g)/2, g as in lobe_fit.cpp.
-  const double length = std::sqrt(lobe.m00 * lobe.m00 + lobe.m20 * lobe.m20);
-  const double share = length > 0 ? 0.5 * (1 + lobe.m00 / length) : 1;
-  return 1 / std::max(share, k_least_share_above);
+  return 1 / std::max(f64::share_above_horizon(lobe), f64::k_min_share);
 }
 
 // Total variation as the energy that D lacks, the integral of max(rho/E - D, 0): as much as it has
 // in excess elsewhere, since both integrate to 1, and bounded by rho/E, whose quadrature this is.
+// (A clipped lobe of which less than k_min_share lies above the horizon integrates to less than 1
+// even so; what it lacks is then more than its excess, and counts.)
 // At grazing angles D may be narrow where rho/E is not, and |rho/E - D| would miss some of it.
 LobeError measure_lobe(const Quadrature& q, const f64::Lobe& lobe, Horizon horizon) {
   const Vec4d mirror = f64::mirror_from_lobe(lobe, q.width, q.cos_theta);
   const double scale = horizon_scale(lobe, horizon);
+  LobeError e;
+  if (!(lobe.det > 0)) {
+    e.tv = e.l2 = e.l3 = e.peak = 1;
+    e.l1 = 2;
+    return e;
+  }
   double missing = 0, l2 = 0, l3 = 0, norm2 = 0, norm3 = 0, peak = 0, peak_of_brdf = 0;
   for (std::size_t i = 0; i < q.size(); ++i) {
     const double d =
@@ -63,13 +67,25 @@ LobeError measure_lobe(const Quadrature& q, const f64::Lobe& lobe, Horizon horiz
     peak = std::max(peak, d);
     peak_of_brdf = std::max(peak_of_brdf, q.density[i]);
   }
-  LobeError e;
   e.leak = lobe_leak(mirror, q.width, q.cos_theta);
   e.tv = missing;
-  e.l1 = std::max(2 * missing - (horizon == Horizon::leaking ? e.leak : 0), 0.0);
+  // Over the hemisphere the scaled lobe integrates to 1 less this.
+  const double lost = std::max(1 - scale * (1 - e.leak), 0.0);
+  e.l1 = std::max(2 * missing - lost, 0.0);
   e.l2 = std::sqrt(l2 / norm2);
   e.l3 = std::cbrt(l3 / norm3);
   e.peak = std::abs(peak / peak_of_brdf - 1);
+  return e;
+}
+
+// The light is n1 D where E (rho/E) is right. For directions P with the integrals d of D and p of
+// rho/E over them, n1 d - E p = E (d - p) + (n1 - E) d, of which |d - p| <= TV and 0 <= d <= 1.
+// A light of radiance 0..1 is a mixture of such sets.
+LobeError measure_lobe(const Quadrature& q, const f64::FittedLobe& fitted, Horizon horizon) {
+  LobeError e = measure_lobe(q, fitted.lobe, horizon);
+  e.n1 = std::abs(fitted.n1 - q.n1);
+  e.n5 = std::abs(fitted.n5 - q.n5);
+  e.bound = q.n1 * e.tv + e.n1;
   return e;
 }
 
@@ -212,10 +228,7 @@ Result<std::vector<ErrorMap>> measure_maps(const brdf::Brdf& brdf,
                                   candidates[c].label, roughness, theta_degrees);
         return;
       }
-      LobeError& e = maps[c].cells[k];
-      e = measure_lobe(*rule, fitted.lobe, candidates[c].horizon);
-      e.n1 = std::abs(fitted.n1 - rule->n1);
-      e.n5 = std::abs(fitted.n5 - rule->n5);
+      maps[c].cells[k] = measure_lobe(*rule, fitted, candidates[c].horizon);
       maps[c].albedo[k] = rule->n1;
     }
   });

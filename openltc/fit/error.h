@@ -22,8 +22,14 @@ namespace openltc::fit {
 
 /// Distances between a lobe D and rho/E at one view angle and roughness, both of integral 1.
 /// Read D / (1 - leak) for D where the horizon is clipped.
+///
+/// A lobe whose determinant is not positive is no distribution, although an engine's layout may
+/// interpolate to one: it counts as all wrong, tv = 1, l1 = 2, l2 = l3 = peak = 1, and leaks 0.
 struct LobeError {
-  double tv = 0;   ///< 1/2 integral over the sphere of |rho/E - D|, 0..1; lost leak included
+  double tv = 0; ///< 1/2 integral over the sphere of |rho/E - D|, 0..1; lost leak included
+  /// E tv + |n1 of the table - E|: no light of radiance 0..1 errs by more where F = 1, whatever its
+  /// shape and texture. Zero where only the lobe is known, not its amplitude (measure_lobe).
+  double bound = 0;
   double l1 = 0;   ///< integral of |rho/E - D| over the hemisphere
   double l2 = 0;   ///< (integral of |..|^2)^(1/2) over that of rho/E
   double l3 = 0;   ///< (integral of |..|^3)^(1/3) over that of rho/E
@@ -42,12 +48,19 @@ struct LobeErrorField {
 /// All of them, in the order of the struct.
 std::span<const LobeErrorField> lobe_error_fields();
 
-/// Error of one lobe against a quadrature of its BRDF.
+/// Error of one lobe against a quadrature of its BRDF; no amplitude is known: bound, n1, n5 are 0.
 LobeError measure_lobe(const Quadrature& quadrature, const f64::Lobe& lobe,
                        Horizon horizon = Horizon::leaking);
 
+/// The same for a lobe with its amplitudes, as shading multiplies them: all figures.
+LobeError measure_lobe(const Quadrature& quadrature, const f64::FittedLobe& fitted,
+                       Horizon horizon = Horizon::leaking);
+
+/// No entry, determinant or amplitude is NaN or infinite.
+bool is_finite(const f64::FittedLobe& fitted);
+
 /// What a lobe is multiplied with before it is compared: 1, or one over its share above the
-/// surface's horizon.
+/// surface's horizon, exactly as make_surface of shade/surface.glsl finds it.
 double horizon_scale(const f64::Lobe& lobe, Horizon horizon);
 
 /// Lobe and amplitudes for a roughness 0..1 and the cosine of the view angle, as shading reads
@@ -75,7 +88,7 @@ struct MeasureAxes {
 struct ErrorMap {
   MeasureAxes axes;
   std::vector<LobeError> cells; ///< roughness fast, theta slow
-  std::vector<double> albedo;   ///< E of the BRDF in each cell: |error of a light| <= E TV L_max
+  std::vector<double> albedo;   ///< E of the BRDF in each cell
 
   std::size_t columns() const { return axes.roughness.size(); }
   std::size_t rows() const { return axes.theta_degrees.size(); }

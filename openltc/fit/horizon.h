@@ -8,7 +8,8 @@ namespace openltc::fit {
 /// What becomes of the part of a lobe below the surface's horizon.
 enum class Horizon {
   leaking, ///< it is lost, or shines through the surface: D as it is. What engines do
-  clipped  ///< shading divides by the share above, as shade/surface.glsl does: D / (1 - leak)
+  clipped  ///< shading divides by the share above, but by no less than k_min_share, as
+           ///< shade/surface.glsl does: D / (1 - leak)
 };
 
 /// "leaking" or "clipped", as in a table's metadata.

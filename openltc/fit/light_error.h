@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What errors of lobes mean for light: the integral over a fixed family of random rectangles,
-// rho/E by quadrature against the lobe's closed form, and the total variation as its bound.
+// rho/E by quadrature against the lobe's closed form, and the bound that total variation and the
+// error of the amplitude set.
 
 #pragma once
 
@@ -38,8 +39,13 @@ struct LightCase {
 /// Member `index` >= 0; depends on nothing but the family's seed, its bounds and the index.
 LightCase light_case(const LightFamily& family, int index);
 
+/// What the quadratures of BRDF, albedo and TV may err by between them, for radiance 1 and albedo
+/// 1, before a light counts as a violation of a bound.
+inline constexpr double k_light_tolerance = 5e-4;
+
 /// Errors of the integrals over a family, for radiance 1 and albedo 1: the integral of rho/E over
-/// the light, 0..1, against that of the lobe.
+/// the light, 0..1, against that of the lobe. The bounds are checked on the light itself too, as
+/// shading makes it where F = 1: n1 D against rho.
 struct LightError {
   int count = 0;
   double rmse = 0;
@@ -48,8 +54,11 @@ struct LightError {
   double max = 0;        ///< of |error|
   double bias = 0;       ///< mean of lobe minus BRDF, signed
   double mean_light = 0; ///< mean of the BRDF's integral: how much light there is to err about
-  int violations = 0;    ///< lights with |error| > TV by more than the quadratures' own error
-  double of_bound = 0;   ///< largest |error| / TV where TV > 1e-3: how much of the bound is used
+  /// Lights with |n1 D - rho| > LobeError::bound or |D - rho/E| > TV, by more than
+  /// k_light_tolerance.
+  int violations = 0;
+  /// Largest |n1 D - rho| / LobeError::bound where that is > 1e-3: how much of it is used.
+  double of_bound = 0;
 };
 
 /// Measures several sets of lobes on the same lights. Does not depend on the number of threads.

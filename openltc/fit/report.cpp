@@ -134,7 +134,9 @@ Result<WorstCell> describe_cell(const brdf::Brdf& brdf, const std::vector<Candid
   for (const Candidate& candidate : candidates) {
     const f64::Lobe lobe = candidate.lobes(cell.roughness, cos_theta).lobe;
     const double scale = horizon_scale(lobe, candidate.horizon);
-    densities.push_back([lobe, scale](Vec3d wi) { return scale * f64::eval_lobe(lobe, wi); });
+    densities.push_back([lobe, scale](Vec3d wi) {
+      return std::max(scale * f64::eval_lobe(lobe, wi), 0.0); // one inside out would be negative
+    });
   }
   choose_cut(densities, cell);
   cell.brdf = picture(densities[0], cell);
@@ -200,7 +202,6 @@ Result<Report> make_report(const brdf::Brdf& brdf, const std::vector<Candidate>&
   report.title = options.title;
   report.command = options.command;
   report.tool_version = options.tool_version;
-  report.fit_seconds = options.fit_seconds;
   report.brdf = brdf.name;
   report.variant = brdf.variant;
   report.source = brdf.source;

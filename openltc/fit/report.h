@@ -33,7 +33,6 @@ struct ReportOptions {
   std::string title = "Error of a lobe table";
   std::string command;      ///< the command line that made the report
   std::string tool_version; ///< of OpenLTC
-  double fit_seconds = 0;   ///< wall time of the fit; 0: not shown
   /// What is measured between the nodes. The worst cells are those of the first.
   std::vector<MeasureOptions> regions = default_regions();
   LightFamily lights;
@@ -87,7 +86,6 @@ struct CandidateReport {
 /// All figures. Plain data: the writers below compute nothing.
 struct Report {
   std::string title, command, tool_version;
-  double fit_seconds = 0;
   std::string brdf, variant, source, parameter;
   std::vector<CandidateReport> candidates;
   std::vector<RegionReport> regions;
@@ -95,7 +93,8 @@ struct Report {
   std::vector<WorstCell> worst;
 };
 
-/// Measures everything. Does not depend on the number of threads. Fails as measure_maps does, and
+/// Measures everything. Neither the number of threads nor the clock changes a byte of the outputs.
+/// Fails as measure_maps does, and
 /// without a candidate or a region.
 Result<Report> make_report(const brdf::Brdf& brdf, const std::vector<Candidate>& candidates,
                            const ReportOptions& options);

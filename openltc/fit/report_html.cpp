@@ -21,13 +21,14 @@ struct Row {
 };
 constexpr Row k_rows[] = {
     {"tv", "TV", "share of energy misplaced"},
+    {"bound", "bound", "E · TV + |n1 − E|: what a light of radiance 1 errs by at most, F = 1"},
     {"l1", "L1", "over the hemisphere"},
     {"l2", "L2", "relative to ρ/E"},
     {"l3", "L3", "relative to ρ/E"},
     {"peak", "peak", "of the brightest point"},
     {"leak", "leak", "share of D below the surface"},
-    {"n1", "n1", "albedo for F = 1, absolute"},
-    {"n5", "n5", "its Schlick part, absolute"},
+    {"n1", "n1", "|n1 − E|, of the albedo for F = 1"},
+    {"n5", "n5", "the same of its Schlick part"},
 };
 constexpr const char* k_mapped[] = {"tv", "l2", "peak", "leak"};
 
@@ -42,7 +43,7 @@ const Row& row_of(std::string_view name) {
 }
 
 const char* horizon_text(Horizon horizon) {
-  return horizon == Horizon::clipped ? "horizon clipped: divided by the share above"
+  return horizon == Horizon::clipped ? "horizon clipped: divided by the share above, at least 0.01"
                                      : "horizon leaking: what lies below is lost";
 }
 
@@ -106,7 +107,7 @@ std::string light_table(const Report& report) {
                             {"p95", &LightError::p95},
                             {"max", &LightError::max},
                             {"bias (signed mean)", &LightError::bias},
-                            {"largest share of its TV bound", &LightError::of_bound}};
+                            {"largest share of its bound", &LightError::of_bound}};
   std::string text =
       "<div class=\"scroll\"><table><thead>" + group_head(report, 1) + "</thead><tbody>";
   for (const Line& l : lines) {
@@ -188,15 +189,15 @@ std::string metadata_of(const Report& report) {
 }
 
 std::string worst_cell(const Report& report, const WorstCell& cell) {
-  const double bound = cell.albedo * cell.errors[cell.of].tv;
   const auto three = [](double x) {
     return std::isfinite(x) ? fmt::format("{:.3f}", x) : std::string("–");
   };
   std::string text = fmt::format(
       "<article class=\"cell\"><header><strong>roughness {:.3g}, θ {:.3g}°</strong><span>worst of "
-      "{}</span><span>E {}, so |error| ≤ {} L<sub>max</sub></span></header><div class=\"lobes\">",
+      "{}</span><span>E {}; F = 1: |error| ≤ {} L<sub>max</sub></span></header><div "
+      "class=\"lobes\">",
       cell.roughness, cell.theta_degrees, html_text(report.candidates[cell.of].label),
-      html_number(cell.albedo), html_number(bound));
+      html_number(cell.albedo), html_number(cell.errors[cell.of].bound));
   text += "<figure><figcaption><span class=\"key brdf\"></span>ρ/E, the BRDF<small>&nbsp;</small>"
           "</figcaption>" +
           lobe_disc(cell.brdf, cell, "the BRDF’s lobe from above") + "</figure>";
@@ -219,7 +220,8 @@ std::string cell_data(const Report& report) {
     std::string text = "[";
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double x = get(values[i]);
-      text += fmt::format("{}{:.4g}", i > 0 ? "," : "", std::isfinite(x) ? x : 0.0);
+      text += i > 0 ? "," : "";
+      text += std::isfinite(x) ? fmt::format("{:.4g}", x) : std::string("null");
     }
     return text + "]";
   };
@@ -246,22 +248,18 @@ std::string cell_data(const Report& report) {
 }
 
 std::string bound_text(const Report& report) {
-  const ErrorMap& map = report.regions[0].maps[0];
-  double largest = 0, mean = 0;
-  for (std::size_t i = 0; i < map.cells.size(); ++i) {
-    const double bound = map.albedo[i] * map.cells[i].tv;
-    largest = std::max(largest, bound);
-    mean += bound / double(map.cells.size());
-  }
+  const RegionReport& region = report.regions[0];
   return fmt::format(
-      "<div class=\"bound\"><p class=\"formula\">|error| ≤ E · TV · L<sub>max</sub></p>"
-      "<p>for any light, of any shape and texture, whose radiance does not exceed "
-      "L<sub>max</sub>: total variation is a guarantee, not only a score. E is the BRDF’s albedo "
-      "for F = 1 at that roughness and view angle. For <em>{}</em> over {} the bound is {} "
-      "L<sub>max</sub> in the mean and {} L<sub>max</sub> in the worst cell; each cell’s own value "
-      "stands under the pointer in the maps below and follows from the JSON report.</p></div>",
-      html_text(report.candidates[0].label), html_text(report.regions[0].name), html_number(mean),
-      html_number(largest));
+      "<div class=\"bound\"><p class=\"formula\">|error| ≤ (E · TV + |n1 − E|) · "
+      "L<sub>max</sub></p><p>where F = 1, for any light, of any shape and texture, whose radiance "
+      "lies between 0 and L<sub>max</sub>: total variation is a guarantee, not only a score. E is "
+      "the BRDF’s albedo for F = 1 at that roughness and view angle, n1 what the table holds for "
+      "it. For <em>{}</em> over {} the bound is {} L<sub>max</sub> in the mean of the measured "
+      "points and {} L<sub>max</sub> at the worst of them; each one’s own value, for its cell’s "
+      "midpoint, stands under the pointer in the maps below and in the JSON report. It is as exact "
+      "as the quadrature that measures it.</p></div>",
+      html_text(report.candidates[0].label), html_text(region.name),
+      html_number(region.errors[0].mean.bound), html_number(region.errors[0].max.bound));
 }
 
 std::string family_text(const LightFamily& f) {
@@ -269,8 +267,7 @@ std::string family_text(const LightFamily& f) {
       "{} rectangles from seed {}, all uniform: roughness {}–{}, view angle 0–{}° (along {}), "
       "centre in any direction of the upper hemisphere at distance {}–{}, any orientation, sides "
       "{}–{}; parts below the horizon do not count. Radiance 1 and albedo 1: the figures are "
-      "errors "
-      "of the integral of ρ/E over the light.",
+      "errors of the integral of ρ/E over the light.",
       f.count, f.seed, f.roughness_from, f.roughness_to, f.theta_to_degrees,
       f.angle_axis == table::AngleAxis::theta ? "θ" : "√(1−cos θ)", f.distance_from, f.distance_to,
       f.side_from, f.side_to);
@@ -289,13 +286,14 @@ std::string to_html(const Report& report) {
   if (!report.command.empty()) page += "<pre>" + html_text(report.command) + "</pre>\n";
   std::string line;
   if (!report.tool_version.empty()) line += "OpenLTC " + html_text(report.tool_version) + ". ";
-  if (report.fit_seconds > 0) line += fmt::format("Fitted in {:.2f} s. ", report.fit_seconds);
   if (!report.parameter.empty()) line += "Roughness: " + html_text(report.parameter) + ".";
   page += "<p class=\"note\">" + line + "</p>\n" + metadata_of(report) + bound_text(report);
 
-  page += "<h2>Figures</h2>\n<p>Measured between the nodes, through the look-up that shading uses. "
-          "The factors say how many times the first column’s mean another’s is: green where the "
-          "first is better.</p>\n";
+  page +=
+      "<h2>Figures</h2>\n<p>Measured through the look-up that shading uses, on a grid of points "
+      "that is not that of a table’s nodes. The factors say how many times the first "
+      "candidate’s mean (or single figure) another’s is: green where the first is better by "
+      "more than 2 %, orange where it is worse by as much.</p>\n";
   for (const RegionReport& region : report.regions) {
     const MeasureOptions& o = region.region;
     page += fmt::format("<h3>{}, view angle to {}°</h3>\n<p class=\"note\">{} × {} points at the "
@@ -305,32 +303,41 @@ std::string to_html(const Report& report) {
     page += error_table(report, {region.errors.begin(), region.errors.end()});
     if (std::any_of(region.nodes.begin(), region.nodes.end(),
                     [](const auto& e) { return e.has_value(); }))
-      page += "<details><summary>The same on the nodes of each table</summary>" +
+      page += "<details><summary>The same on those nodes of each table that lie in this "
+              "region</summary>" +
               error_table(report, region.nodes) + "</details>\n";
   }
   page += "<h3>Light and smoothness</h3>\n<p class=\"note\">" + family_text(report.lights) +
-          " The last row is the mean absolute second difference of M⁻¹ (middle element 1) over "
+          " The bound is checked for these lights by themselves and as shading makes them where "
+          "F = 1, n1 D against ρ; a light counts as beyond it from what the quadratures may err "
+          "by on, " +
+          html_number(k_light_tolerance) +
+          ". The last row is the mean absolute second difference of M⁻¹ (middle element 1) over "
           "roughness and √(1−cos θ), whatever the packing.</p>\n" +
           light_table(report);
 
-  page +=
-      "<h2>Where the errors are</h2>\n<p>One colour scale per column, up to its 98th percentile; "
-      "brighter is worse. Point at a cell for its figures.</p>\n";
+  page += "<h2>Where the errors are</h2>\n<p>One colour scale per column of maps, up to the "
+          "largest 98th "
+          "percentile of the candidates; brighter is worse. Point at a cell for its figures.</p>\n";
   for (std::size_t r = 0; r < report.regions.size(); ++r)
     page += "<h3>" + html_text(report.regions[r].name) + "</h3>\n" + maps_of(report, r) + "\n";
 
   if (!report.worst.empty()) {
     page +=
-        "<h2>The worst cells</h2>\n<p>Densities seen from above in an equal-area disc, zoomed to "
-        "the lobe; the line is the horizon, the cross the mirror direction, the viewer on the "
-        "left. Beside them a cut along the plane of incidence, relative to the BRDF’s peak.</p>\n";
+        "<h2>The worst cells</h2>\n<p>Those of the first region with the largest TV, no two of one "
+        "candidate close to each other. Densities of integral 1 seen from above in an equal-area "
+        "disc, zoomed to the BRDF’s lobe where it is narrow; the line is the horizon, the cross "
+        "the mirror direction, the viewer on the left. Beside them a cut along the plane of "
+        "incidence, relative to the BRDF’s peak and cut off at three times it.</p>\n";
     for (const WorstCell& cell : report.worst)
       page += worst_cell(report, cell) + "\n";
   }
   page +=
-      "<footer>TV is measured as the integral of max(ρ/E − D, 0), which equals ½∫|ρ/E − D| since "
-      "both integrate to 1. Deterministic quadrature; no number here depends on threads or "
-      "chance.</footer>\n</main>\n<div id=\"tip\"></div>\n";
+      "<footer>TV is measured as the integral of max(ρ/E − D, 0), which is ½∫|ρ/E − D| over the "
+      "sphere since both integrate to 1. A lobe that a table turns inside out is no "
+      "distribution and counts as TV 1, L1 2, L2, L3 and peak 1. Deterministic quadrature and a "
+      "fixed family of lights: no byte of this page depends on threads, chance or the "
+      "clock.</footer>\n</main>\n<div id=\"tip\"></div>\n";
   page += "<script type=\"application/json\" id=\"cells\">" + cell_data(report) + "</script>\n";
   page += std::string("<script>") + k_report_script + "</script>\n</body>\n</html>\n";
   return page;

@@ -102,13 +102,14 @@ std::string to_json(const Report& report) {
   Json json = {{"title", report.title},
                {"command", report.command},
                {"tool_version", report.tool_version},
-               {"fit_seconds", report.fit_seconds > 0 ? number(report.fit_seconds) : Json()},
                {"brdf",
                 {{"name", report.brdf},
                  {"variant", report.variant},
                  {"source", report.source},
                  {"parameter", report.parameter}}},
-               {"bound", "|error| <= albedo * tv * L_max for any light of radiance <= L_max"}};
+               {"bound", "|error| <= bound * L_max, bound = albedo * tv + n1, where F = 1, for any "
+                         "light of radiance 0 to L_max; n1 is the error of the amplitude"},
+               {"bound_tolerance", number(k_light_tolerance)}};
   json["light_family"] = json_of(report.lights);
   json["candidates"] = Json::array();
   for (const CandidateReport& c : report.candidates) {

@@ -100,7 +100,7 @@ inline constexpr char k_report_script[] = R"js(
 (function () {
   var data = JSON.parse(document.getElementById("cells").textContent);
   var tip = document.getElementById("tip"), maps = document.querySelectorAll("svg.map");
-  var names = {tv: "TV", l1: "L1", l2: "L2", l3: "L3", peak: "peak", leak: "leak",
+  var names = {tv: "TV", bound: "bound", l1: "L1", l2: "L2", l3: "L3", peak: "peak", leak: "leak",
                n1: "n1", n5: "n5"};
   function show(event, map) {
     var box = map.querySelector("image").getBoundingClientRect();
@@ -113,9 +113,9 @@ inline constexpr char k_report_script[] = R"js(
     var text = "<strong>roughness " + region.roughness[i] + ", θ " + region.theta[j] +
                "°</strong><table>";
     for (var field in names)
-      text += "<tr><td>" + names[field] + "</td><td>" + own[field][at] + "</td></tr>";
-    text += "<tr><td>E · TV, the bound</td><td>" +
-            (region.albedo[at] * own.tv[at]).toPrecision(3) + "</td></tr></table>";
+      text += "<tr><td>" + names[field] + "</td><td>" +
+              (own[field][at] === null ? "–" : own[field][at]) + "</td></tr>";
+    text += "<tr><td>E of the BRDF</td><td>" + region.albedo[at] + "</td></tr></table>";
     tip.innerHTML = text;
     tip.style.display = "block";
     var x = event.clientX + 18, y = event.clientY + 18;

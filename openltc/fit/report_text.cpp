@@ -54,9 +54,10 @@ std::string to_text(const Report& report) {
   text += row_of(report, "horizon", [&](std::size_t c) {
     return std::string(report.candidates[c].horizon == Horizon::clipped ? "clipped" : "leaking");
   });
+  text += "bound: no light of radiance 0 to L errs by more than bound * L where F = 1\n";
   for (const RegionReport& region : report.regions) {
     const MeasureOptions& o = region.region;
-    text += fmt::format("{}, theta to {}°, {} × {} points between the nodes\n", region.name,
+    text += fmt::format("{}, theta to {}°, {} × {} points on a grid of its own\n", region.name,
                         o.theta_to_degrees, o.points, o.points);
     text += row_of(report, "",
                    [](std::size_t) { return std::string("   mean  median     p95     max"); });
@@ -78,7 +79,7 @@ std::string to_text(const Report& report) {
     return fmt::format("{} {} {} {}", number(e.rmse), number(e.mean), number(e.p95), number(e.max));
   });
   text += row_of(report, "beyond", [&](std::size_t c) {
-    return fmt::format("{:7} of them beyond the TV bound", report.candidates[c].lights.violations);
+    return fmt::format("{:7} of them beyond their bound", report.candidates[c].lights.violations);
   });
   text += "mean second difference of M^-1 over the axes\n";
   text += row_of(report, "", [&](std::size_t c) {

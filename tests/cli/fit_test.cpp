@@ -259,7 +259,7 @@ TEST_CASE("reports_compare_with_tables_polynomials_and_bare_textures") {
   const json report = json_of(data);
   REQUIRE(report["candidates"].size() == labels.size());
   REQUIRE(report["regions"].size() == 2);
-  CHECK(double(report["fit_seconds"]) > 0);
+  CHECK_FALSE(report.contains("fit_seconds")); // the same bytes on every run
   CHECK(contains(report["command"], "--size 4 --refine off --against"));
   std::vector<double> mean_tv;
   for (std::size_t i = 0; i < labels.size(); ++i) {

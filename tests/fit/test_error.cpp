@@ -101,6 +101,75 @@ TEST_CASE("a clipped lobe integrates to 1 over the hemisphere, and its TV is hal
   }
 }
 
+TEST_CASE("the measure divides by the share above the horizon exactly as shading does") {
+  const Vec3d up(0, 0, 1), wo(0.6, 0, 0.8), none(0, 0, 0), one(1, 1, 1);
+  double smallest_share = 1;
+  for (const double angle : {0.0, 0.4, -1.5, 2.5, 2.9, 3.1, -3.14}) {
+    f64::FittedLobe fitted;
+    fitted.lobe = tilted_cosine(angle);
+    fitted.n1 = 1;
+    fitted.n5 = 0;
+    const f64::Surface surface = f64::make_surface(fitted, none, up, wo, none, one, one, 0.7);
+    CAPTURE(angle);
+    CHECK(fit::horizon_scale(fitted.lobe, Horizon::clipped) == surface.inv_share);
+    smallest_share = std::min(smallest_share, f64::share_above_horizon(fitted.lobe));
+    // However little of it lies above, what is measured stays in its range.
+    for (const Horizon horizon : {Horizon::leaking, Horizon::clipped}) {
+      const fit::LobeError e = fit::measure_lobe(lambert_rule(0.7), fitted.lobe, horizon);
+      CHECK(e.tv >= 0);
+      CHECK(e.tv < 1.0001);
+      CHECK(e.l1 <= 2 * e.tv);
+    }
+  }
+  CHECK(smallest_share < f64::k_min_share); // where the two would differ
+  CHECK(fit::horizon_scale(tilted_cosine(3.1), Horizon::clipped) == 1 / f64::k_min_share);
+}
+
+TEST_CASE("a lobe whose determinant is not positive counts as all wrong, and not as more") {
+  const f64::Lobe mirrored = f64::make_lobe(-1, 0, 0, 1), flat = f64::make_lobe(1, 1, 1, 1),
+                  folded = f64::make_lobe(0.3, 2, 1.5, -0.4);
+  for (const f64::Lobe& lobe : {mirrored, flat, folded}) {
+    REQUIRE(lobe.det <= 0);
+    for (const Horizon horizon : {Horizon::leaking, Horizon::clipped}) {
+      const fit::LobeError e = fit::measure_lobe(lambert_rule(0.7), lobe, horizon);
+      CHECK(e.tv == 1);
+      CHECK(e.l1 == 2);
+      CHECK(e.l2 == 1);
+      CHECK(e.l3 == 1);
+      CHECK(e.peak == 1);
+      CHECK(e.leak == 0);
+    }
+  }
+  // In a map as well, and the bound is then the whole albedo.
+  const fit::MeasuredLobes candidate{"mirrored", constant(mirrored), Horizon::leaking};
+  const auto maps = *fit::measure_maps(k_lambert, {&candidate, 1}, {{0.5}, {30}}, {40, 32});
+  CHECK(maps[0].cells[0].tv == 1);
+  CHECK(maps[0].cells[0].bound == doctest::Approx(1).epsilon(1e-3));
+}
+
+TEST_CASE("the bound is E TV plus the amplitude's own error") {
+  const fit::Quadrature q = *fit::make_quadrature(*brdf::find_brdf("ggx"), 0.8, 0.4, {40, 32});
+  REQUIRE(q.n1 < 0.95); // else E would not show
+  f64::FittedLobe fitted;
+  fitted.lobe = f64::cosine_lobe();
+  fitted.n5 = 0;
+  for (const double n1 : {0.5, q.n1, 1.2}) {
+    fitted.n1 = n1;
+    const fit::LobeError e = fit::measure_lobe(q, fitted);
+    CHECK(e.tv == fit::measure_lobe(q, fitted.lobe).tv);
+    CHECK(e.n1 == std::abs(n1 - q.n1));
+    CHECK(e.bound == doctest::Approx(q.n1 * e.tv + std::abs(n1 - q.n1)));
+  }
+  CHECK(fit::measure_lobe(q, fitted.lobe).bound == 0);
+  const fit::MeasuredLobes candidate{"cosine", constant(f64::cosine_lobe()), Horizon::leaking};
+  const fit::ErrorMap map =
+      fit::measure_maps(*brdf::find_brdf("ggx"), {&candidate, 1}, {{0.3, 0.8}, {10, 70}}, {24, 24})
+          ->front();
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    CHECK(map.cells[i].bound ==
+          doctest::Approx(map.albedo[i] * map.cells[i].tv + std::abs(1 - map.albedo[i])));
+}
+
 TEST_CASE("total variation is seen although a lobe hides between the points") {
   // A lobe far narrower than the quadrature's spacing, away from the BRDF's: almost no point sees
   // it, yet nearly all of its energy is in the wrong place.

@@ -41,7 +41,6 @@ fit::ReportOptions small_options() {
   options.smoothness_points = 8;
   options.command = "openltc fit --against \"" + k_nasty + "\"";
   options.tool_version = "1.2.3";
-  options.fit_seconds = 0.25;
   return options;
 }
 
@@ -123,10 +122,11 @@ std::vector<std::uint8_t> bytes_from_base64(const std::string& text) {
 
 TEST_CASE("the JSON report parses and has every figure") {
   const nlohmann::json json = nlohmann::json::parse(fit::to_json(report()));
-  for (const char* key : {"title", "command", "tool_version", "fit_seconds", "brdf", "bound",
+  for (const char* key : {"title", "command", "tool_version", "brdf", "bound", "bound_tolerance",
                           "light_family", "candidates", "regions", "worst_cells"})
     CHECK(json.contains(key));
   CHECK(json["tool_version"] == "1.2.3");
+  CHECK_FALSE(json.contains("fit_seconds")); // it would differ from run to run
   REQUIRE(json["candidates"].size() == 3);
   CHECK(json["candidates"][0]["horizon"] == "clipped");
   CHECK(json["candidates"][1]["horizon"] == "leaking");
@@ -141,11 +141,18 @@ TEST_CASE("the JSON report parses and has every figure") {
     CHECK(region["albedo"].size() == 36);
     REQUIRE(region["candidates"].size() == 3);
     for (const auto& c : region["candidates"])
-      for (const char* field : {"tv", "l1", "l2", "l3", "peak", "leak", "n1", "n5"}) {
+      for (const char* field : {"tv", "bound", "l1", "l2", "l3", "peak", "leak", "n1", "n5"}) {
         for (const char* statistic : {"mean", "median", "p95", "max"})
           CHECK(c["between_nodes"][statistic][field].is_number());
         CHECK(c["cells"][field].size() == 36);
       }
+    // Every cell's bound follows from what stands beside it, to the digits written.
+    for (const auto& c : region["candidates"])
+      for (std::size_t i = 0; i < 36; ++i)
+        CHECK(double(c["cells"]["bound"][i]) ==
+              doctest::Approx(double(region["albedo"][i]) * double(c["cells"]["tv"][i]) +
+                              double(c["cells"]["n1"][i]))
+                  .epsilon(1e-4));
     CHECK(region["candidates"][1]["on_nodes"].is_null());
   }
   CHECK(json["regions"][0]["candidates"][0]["on_nodes"]["mean"]["tv"].is_number());
@@ -177,7 +184,9 @@ TEST_CASE("the page is well-formed, needs nothing but itself and escapes every t
   for (std::size_t at = 0; (at = html.find("class=\"map\"", at)) != std::string::npos; ++at)
     ++maps;
   CHECK(maps == 4 * 3 * 2);
-  CHECK(html.find("|error| ≤ E · TV · L") != std::string::npos);
+  CHECK(html.find("|error| ≤ (E · TV + |n1 − E|) · L") != std::string::npos);
+  CHECK(html.find("where F = 1") != std::string::npos);
+  CHECK(html.find("Fitted in") == std::string::npos);
 }
 
 TEST_CASE("the script's numbers are JSON and agree with the cells") {
@@ -188,6 +197,8 @@ TEST_CASE("the script's numbers are JSON and agree with the cells") {
   REQUIRE(json.size() == 2);
   CHECK(double(json[0]["candidates"][1]["tv"][7]) ==
         doctest::Approx(report().regions[0].maps[1].cells[7].tv).epsilon(1e-3));
+  CHECK(double(json[0]["candidates"][1]["bound"][7]) ==
+        doctest::Approx(report().regions[0].maps[1].cells[7].bound).epsilon(1e-3));
 }
 
 TEST_CASE("the page's pictures are PNG files that libpng reads, of the right size") {
@@ -236,8 +247,8 @@ TEST_CASE("neither NaN nor infinity gets into an output") {
 
 TEST_CASE("the terminal's table names every candidate and figure") {
   const std::string text = fit::to_text(report());
-  for (const char* word : {"this table", "best single lobe", "tv", "l2", "peak", "leak", "rmse",
-                           "second difference", "roughness 0.06–1", "roughness 0.01–0.06"})
+  for (const char* word : {"this table", "best single lobe", "tv", "bound", "l2", "peak", "leak",
+                           "rmse", "second difference", "roughness 0.06–1", "roughness 0.01–0.06"})
     CHECK(text.find(word) != std::string::npos);
 }
 
