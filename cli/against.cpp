@@ -6,6 +6,7 @@
 #include "cli/lobe_file.h"
 #include "openltc/fit/identify.h"
 #include "openltc/fit/polynomial_fit.h"
+#include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
 
@@ -25,7 +26,7 @@ fit::Candidate candidate_of(table::PackedTable packed, const std::string& label)
   fit::Candidate c;
   c.label = label;
   c.lobes = [shared](double roughness, double cos_theta) {
-    return table::fetch_packed(*shared, roughness, cos_theta);
+    return table::fetch_albedo(*shared, roughness, cos_theta);
   };
   c.horizon = fit::horizon_of(*shared);
   c.metadata = {
@@ -50,6 +51,20 @@ fit::Candidate candidate_of(table::LobePolynomial polynomial, const std::string&
   return c;
 }
 
+// The texture that is missing where a table has two: DIR/ltc_2.dds for DIR/ltc_1.dds.
+std::string other_texture(const std::string& path) {
+  const std::filesystem::path p(path);
+  std::string stem = p.stem().string();
+  const std::string end = stem.size() > 2 ? stem.substr(stem.size() - 2) : "";
+  if (end == "_1" || end == "_2") {
+    stem.back() = end == "_1" ? '2' : '1';
+    return fmt::format("{} must lie beside it",
+                       (p.parent_path() / (stem + p.extension().string())).string());
+  }
+  return fmt::format("the two must lie side by side as {0}_1{1} and {0}_2{1}",
+                     (p.parent_path() / stem).string(), p.extension().string());
+}
+
 } // namespace
 
 Result<fit::Candidate> read_candidate(const std::string& path, std::string& note) {
@@ -66,7 +81,12 @@ Result<fit::Candidate> read_candidate(const std::string& path, std::string& note
   const Result<table::TextureFiles> files = table::read_textures(path);
   if (!files || !files->description.empty()) return packed.error();
   const Result<std::vector<fit::Identification>> found = fit::identify(files->textures);
-  if (!found || found->empty() || !found->front().layout || found->front().mean_tv > 0.5)
+  const bool known = found && !found->empty() && found->front().layout;
+  if (!known && files->textures.size() == 1)
+    return Error{fmt::format("{}: a bare texture that reads as no known table by itself; if it is "
+                             "one of a table's two textures, {}",
+                             path, other_texture(path))};
+  if (!known || found->front().mean_tv > 0.5)
     return Error{fmt::format("{}: a bare texture that reads as no known table; openltc inspect "
                              "lists the attempts",
                              path)};

@@ -6,9 +6,11 @@
 
 #include "cli/choice.h"
 #include "cli/commands.h"
+#include "cli/fit_job.h"
 #include "cli/lobe_file.h"
 #include "cli/output_place.h"
 #include "openltc/fit/error.h"
+#include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
 
@@ -38,9 +40,9 @@ struct ConvertArguments {
   bool quiet = false;
 };
 
-int fail(const Error& error) {
+int fail(const Error& error, ExitCode code = k_exit_failed) {
   fmt::print(stderr, "openltc convert: {}\n", error.message);
-  return k_exit_failed;
+  return code;
 }
 
 // What the arguments ask of the table, through the native packing where that is needed.
@@ -60,7 +62,16 @@ Result<table::PackedTable> convert(const table::PackedTable& from,
     lobes = resample(*lobes, columns, arguments.size, lobes->angle_axis);
     if (!lobes) return lobes.error();
   }
-  return pack(*lobes, layout, precision);
+  // The horizon says how the lobes are to be read, and so how they are measured.
+  const bool divided = is_divided(from) && layout != Layout::native;
+  if (layout == Layout::native)
+    lobes->metadata.horizon = table::k_clipped;
+  else if (layout != from.layout)
+    lobes->metadata.horizon = name_of(fit::Horizon::leaking); // what the engines do
+  Result<table::PackedTable> to = pack(*lobes, layout, divided ? Precision::float32 : precision);
+  if (!to || !divided) return to;
+  divide_amplitudes(*to); // still for a renderer that clips
+  return with_precision(*to, precision);
 }
 
 // The errors that the metadata state are those of the lobes as this layout reads them.
@@ -71,7 +82,9 @@ void restate_errors(table::PackedTable& packed) {
   if (!brdf) return;
   fit::MeasureOptions options;
   options.horizon = fit::horizon_of(packed);
-  const Result<fit::TableError> error = fit::measure_lobes(*brdf, fit::lobes_of(packed), options);
+  const Result<fit::TableError> error = fit::measure_lobes(
+      *brdf, [&](double roughness, double c) { return fetch_albedo(packed, roughness, c); },
+      options);
   if (!error) return;
   const auto four_digits = [](double x) {
     return std::strtod(fmt::format("{:.3e}", x).c_str(), nullptr);
@@ -99,9 +112,10 @@ int convert_polynomial(const ConvertArguments& arguments) {
   const std::string extension = std::filesystem::path(arguments.output).extension().string();
   if (extension == ".cpp" || extension == ".inc") // the source of the built-in, no container
     return fail(Error{arguments.output + ": a polynomial is written as .json .h .glsl .hlsl .wgsl "
-                                         "or .js"});
+                                         "or .js"},
+                k_exit_usage);
   if (Status status = table::check_polynomial_extension(arguments.output); !status)
-    return fail(status.error());
+    return fail(status.error(), k_exit_usage);
   if (Status status = check_place(arguments.output); !status) return fail(status.error());
   const Result<table::LobePolynomial> polynomial = table::read_polynomial(arguments.input);
   if (!polynomial) return fail(polynomial.error());
@@ -115,7 +129,7 @@ int run_convert(const ConvertArguments& arguments) {
   if (is_polynomial_file(arguments.input)) return convert_polynomial(arguments);
   // Scenes will be told apart here, by their extension.
   if (Status status = table::check_packed_extension(arguments.output); !status)
-    return fail(status.error());
+    return fail(status.error(), k_exit_usage);
   const Result<table::PackedTable> read =
       table::read_packed(arguments.input, arguments.from_layout);
   if (!read) return fail(read.error());
@@ -143,14 +157,8 @@ int run_convert(const ConvertArguments& arguments) {
   if (arguments.quiet) return k_exit_ok;
   for (const std::string& file : *written)
     fmt::print(stderr, "wrote {}\n", file);
-  const table::LayoutFacts& facts = facts_of(to->layout);
-  if (facts.usual_size != 0 &&
-      (to->columns() != facts.usual_size || to->rows() != facts.usual_size))
-    fmt::print(stderr, "note: {} expects {} x {} texels, this table has {} x {}; see --size\n",
-               facts.readers, facts.usual_size, facts.usual_size, to->columns(), to->rows());
-  if (facts.has_amplitudes && !facts_of(from.layout).has_amplitudes)
-    fmt::print(stderr, "note: {} holds no amplitudes: n1 is 1 and n5 is 0 in what was written\n",
-               name_of(from.layout));
+  const std::string note = size_note(*to);
+  if (!note.empty()) fmt::print(stderr, "{}\n", note);
   return k_exit_ok;
 }
 

@@ -100,15 +100,6 @@ fit::Candidate subject_of(FittedLobes& fitted, const FitChoices& choices) {
                 : fmt::format("{}, {}", choices.objective, choices.size);
   c.lobes = fitted.lobes();
   c.horizon = fitted.horizon;
-  if (choices.clip_aware && choices.layout != table::Layout::native)
-    // The amplitudes hold one over the share already.
-    c.lobes = [lobes = c.lobes](double roughness, double cos_theta) {
-      f64::FittedLobe fetched = lobes(roughness, cos_theta);
-      const double above = std::max(fit::above_horizon(fetched.lobe), f64::k_min_share);
-      fetched.n1 *= above;
-      fetched.n5 *= above;
-      return fetched;
-    };
   const table::TableMetadata& m = fitted.metadata();
   for (const table::MetadataField& field : table::k_metadata_fields)
     if (field.text && !(m.*field.text).empty()) c.metadata.emplace_back(field.name, m.*field.text);
@@ -166,6 +157,10 @@ Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
 int run_fit(const FitArguments& arguments) {
   if (arguments.list) return list_brdfs();
   const FitChoices& choices = arguments.choices;
+  if (Status status = check_extensions(choices, arguments.outputs); !status) {
+    fail(status.error());
+    return k_exit_usage;
+  }
   const Result<brdf::Brdf> brdf = brdf::choose_brdf(choices.brdf);
   if (!brdf) {
     fail(brdf.error());
@@ -194,6 +189,7 @@ int run_fit(const FitArguments& arguments) {
   if (!arguments.quiet) {
     fmt::print(stderr, "fitted {} in {:.3f} s\n", brdf->name, fitted->seconds);
     if (!fitted->note.empty()) fmt::print(stderr, "{}\n", fitted->note);
+    if (!fitted->warning.empty()) fmt::print(stderr, "{}\n", fitted->warning);
   }
   const Result<fit::Report> report = make_fit_report(*brdf, *fitted, *others, arguments);
   if (!report) return fail(report.error());
@@ -211,9 +207,13 @@ int run_fit(const FitArguments& arguments) {
     if (Status status = write_text(path, text); !status) return fail(status.error());
     written.push_back(path);
   }
-  if (!arguments.quiet)
-    for (const std::string& path : written)
-      fmt::print(stderr, "wrote {}\n", path);
+  if (arguments.quiet) return k_exit_ok;
+  for (const std::string& path : written)
+    fmt::print(stderr, "wrote {}\n", path);
+  if (const auto* packed = std::get_if<table::PackedTable>(&fitted->stored)) {
+    const std::string note = size_note(*packed);
+    if (!note.empty() && !arguments.outputs.empty()) fmt::print(stderr, "{}\n", note);
+  }
   return k_exit_ok;
 }
 
@@ -228,9 +228,10 @@ void add_fit(CLI::App& app, int& exit_code) {
   command->footer(
       "For every roughness and view angle the linearly transformed cosine is found that comes\n"
       "closest to the BRDF. Objectives: balanced, better than the published table in every norm\n"
-      "at once; tv, least total variation; l2 and l3, least relative squares or cubes, which\n"
-      "hold on to the peak. The error is measured between the nodes, through the look-up of\n"
-      "the layout and in the precision that is written. Total variation (TV) is a bound: no\n"
+      "at once, in the mean; tv, least total variation; l2 and l3, least relative squares or\n"
+      "cubes, which hold on to the peak. The error is measured between the nodes, through the\n"
+      "look-up of the layout and in the precision that is written. Total variation (TV) is a "
+      "bound: no\n"
       "light of radiance up to L_max errs by more than E TV L_max, E the albedo.\n"
       "\n"
       "Layouts: native, for this project's shading (low roughness and small tables stay good);\n"
@@ -286,15 +287,16 @@ void add_fit(CLI::App& app, int& exit_code) {
       {"auto", fit::Refine::automatic}, {"on", fit::Refine::on}, {"off", fit::Refine::off}};
   auto* refine =
       command
-          ->add_option("--refine", c.refine,
-                       "Fit all nodes once more, jointly, through the bilinear look-up; auto does "
-                       "so up to 32 nodes [auto]")
+          ->add_option(
+              "--refine", c.refine,
+              "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
+              "does so up to 32 nodes, and not for other layouts [auto]")
           ->transform(one_of(refines))
           ->type_name(words_of(refines));
   auto* clip_aware = command->add_flag(
       "--clip-aware", c.clip_aware,
       "For layouts other than native: fit for a renderer that clips lights at the surface's "
-      "horizon, amplitudes over the share of the lobe above it");
+      "horizon, amplitudes over the share of the lobe above it; the file says horizon divided");
   command
       ->add_option("-o,--output", arguments->outputs,
                    "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "

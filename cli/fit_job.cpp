@@ -4,14 +4,15 @@
 #include "cli/fit_job.h"
 
 #include "cli/output_place.h"
-#include "openltc/fit/lobe_fit.h"
 #include "openltc/fit/polynomial_fit.h"
+#include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
 #include "openltc/table/table_file.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <utility>
@@ -28,21 +29,32 @@ bool is_builtin_source(const std::string& path) {
   return extension == ".cpp" || extension == ".inc";
 }
 
-// Amplitudes for a renderer that clips lights at the horizon but does not divide by the share of
-// the lobe above it: the division is done here, at every node.
-void divide_amplitudes(table::LobeTable& t) {
-  for (int row = 0; row < t.rows; ++row) {
-    for (int column = 0; column < t.columns; ++column) {
-      const double y = double(row) / (t.rows - 1);
-      const double roughness = t.columns > 1 ? double(column) / (t.columns - 1) : 1;
-      const double c = std::max(fit::cosine_at(y, t.angle_axis), 0.0);
-      const double above =
-          std::max(fit::above_horizon(table::fetch_native(t, roughness, c).lobe), f64::k_min_share);
-      float* texel = t.texel(column, row);
-      texel[4] = float(double(texel[4]) / above);
-      texel[5] = float(double(texel[5]) / above);
+// Whether the layout's look-up can interpolate these lobes: between nodes whose matrices differ
+// much it may find one that turns its lobe inside out. Looked at on a grid four times as fine.
+std::string interpolation_warning(const PackedTable& packed) {
+  constexpr int k_finer = 4;
+  constexpr double k_from = 0.01;
+  const int columns = packed.columns() > 1 ? k_finer * (packed.columns() - 1) + 1 : 1;
+  const int rows = k_finer * (packed.rows() - 1) + 1;
+  int points = 0, broken = 0;
+  double least = 1, most = 0;
+  for (int column = 0; column < columns; ++column) {
+    const double roughness = table::node_roughness(columns, column);
+    if (roughness < k_from) continue;
+    for (int row = 0; row < rows; ++row) {
+      const double c = fit::cosine_at(double(row) / (rows - 1), packed.angle_axis);
+      ++points;
+      if (table::fetch_packed(packed, roughness, c).lobe.det > 0) continue;
+      ++broken;
+      least = std::min(least, roughness);
+      most = std::max(most, roughness);
     }
   }
+  if (broken == 0) return "";
+  return fmt::format("warning: {:.2g} % of the lobes that a look-up in layout {} reads turn inside "
+                     "out between the nodes, at roughness {:.3g} to {:.3g}: this layout cannot "
+                     "interpolate them there; more nodes (--size) or --layout native help",
+                     100.0 * broken / points, name_of(packed.layout), least, most);
 }
 
 Result<FittedLobes> fit_polynomial_form(const brdf::Brdf& brdf, const FitChoices& choices,
@@ -66,14 +78,20 @@ Result<FittedLobes> fit_table_form(const brdf::Brdf& brdf, const FitChoices& cho
   fit::TableFitOptions options;
   options.size = choices.size;
   options.refine = choices.refine;
+  // Refinement goes through the native look-up, which is not the one that these tables meet.
+  if (choices.layout != Layout::native && choices.refine == fit::Refine::automatic)
+    options.refine = fit::Refine::off;
   options.angle_axis = table::angle_axis_of(choices.layout);
   options.lobe.objective = objective;
   Result<table::LobeTable> fitted = fit::fit_table(brdf, options, progress);
   if (!fitted) return fitted.error();
-  if (choices.layout != Layout::native && choices.clip_aware) divide_amplitudes(*fitted);
-  Result<PackedTable> packed = table::pack(*fitted, choices.layout, choices.precision);
+  Result<PackedTable> packed = table::pack(*fitted, choices.layout, table::Precision::float32);
+  if (!packed) return packed.error();
+  if (choices.layout != Layout::native && choices.clip_aware) table::divide_amplitudes(*packed);
+  packed = table::with_precision(*packed, choices.precision);
   if (!packed) return packed.error();
   FittedLobes result;
+  if (choices.layout != Layout::native) result.warning = interpolation_warning(*packed);
   result.stored = std::move(*packed);
   result.nodes = std::move(*fitted);
   return result;
@@ -86,7 +104,11 @@ table::TableMetadata& FittedLobes::metadata() {
 }
 
 fit::LobeFunction FittedLobes::lobes() const {
-  return std::visit([](const auto& form) { return fit::lobes_of(form); }, stored);
+  if (const auto* packed = std::get_if<PackedTable>(&stored))
+    return [packed](double roughness, double cos_theta) {
+      return table::fetch_albedo(*packed, roughness, cos_theta);
+    };
+  return fit::lobes_of(std::get<table::LobePolynomial>(stored));
 }
 
 std::string shell_word(const std::string& path) {
@@ -115,19 +137,28 @@ std::string command_of(const FitChoices& c) {
   return c.clip_aware ? command + " --clip-aware" : command;
 }
 
+Status check_extensions(const FitChoices& choices, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    Status status = Success{};
+    if (choices.form == LobeForm::polynomial)
+      status = table::check_polynomial_extension(path);
+    else if (!is_builtin_source(path))
+      status = table::check_packed_extension(path);
+    if (!status) return status;
+  }
+  return Success{};
+}
+
 Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitChoices& choices,
                                                const std::vector<std::string>& paths) {
   std::vector<std::string> all;
   for (const std::string& path : paths) {
     std::vector<std::string> files = {path};
-    if (choices.form == LobeForm::polynomial) {
-      if (Status status = table::check_polynomial_extension(path); !status) return status.error();
-    } else if (is_builtin_source(path)) {
+    if (choices.form == LobeForm::table && is_builtin_source(path)) {
       if (choices.layout != Layout::native || choices.precision != table::Precision::float32)
         return Error{path + ": C++ source of the built-in is for --layout native --precision "
                             "float32; .h holds any"};
-    } else {
-      if (Status status = table::check_packed_extension(path); !status) return status.error();
+    } else if (choices.form == LobeForm::table) {
       files = table::packed_files(choices.layout, path);
     }
     if (is_builtin_source(path) && brdf.width != brdf::LobeWidth::alpha)
@@ -166,6 +197,14 @@ void state_error(FittedLobes& fitted, const fit::TableError& error) {
   const std::string command = metadata.command;
   fit::complete_metadata(metadata, error, OPENLTC_VERSION, command);
   if (fitted.nodes) fitted.nodes->metadata = metadata;
+}
+
+std::string size_note(const PackedTable& packed) {
+  const table::LayoutFacts& facts = facts_of(packed.layout);
+  const int usual = facts.usual_size;
+  if (usual == 0 || (packed.columns() == usual && packed.rows() == usual)) return "";
+  return fmt::format("note: {} expects {} x {} texels, this table has {} x {}; see --size",
+                     facts.readers, usual, usual, packed.columns(), packed.rows());
 }
 
 Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path) {

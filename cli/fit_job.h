@@ -46,17 +46,22 @@ struct FittedLobes {
   fit::Objective objective;
   double seconds = 0; ///< wall time of the fit alone
   std::string note;   ///< what else there is to say: a polynomial's certificate
+  /// Where the layout's look-up reads lobes that are none; empty: nowhere.
+  std::string warning;
 
   table::TableMetadata& metadata();
-  /// As shading or an engine reads them; refers to this object.
+  /// As shading or an engine reads them, amplitudes as albedo; refers to this object.
   fit::LobeFunction lobes() const;
 };
 
 /// A path as one word of a shell's command line, in quotes where it needs them.
 std::string shell_word(const std::string& path);
 
-/// Whether every file can be written in this form and layout, and where it would lie. Before the
-/// work. Gives the files that would be written.
+/// Whether the extension of every path is one that lobes of this form are written with.
+Status check_extensions(const FitChoices& choices, const std::vector<std::string>& paths);
+
+/// Whether every file, of an extension that is known, can be written in this form and layout, and
+/// where it would lie. Before the work. Gives the files that would be written.
 Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitChoices& choices,
                                                const std::vector<std::string>& paths);
 
@@ -66,6 +71,9 @@ Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
 
 /// What the files say of the error over the first region of a report.
 void state_error(FittedLobes& fitted, const fit::TableError& error);
+
+/// One line where engines that read this layout expect another size; otherwise empty.
+std::string size_note(const table::PackedTable& packed);
 
 /// Writes one file, or the two of a layout with two textures; returns their paths.
 Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path);

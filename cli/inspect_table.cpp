@@ -5,6 +5,7 @@
 #include "cli/lobe_file.h"
 #include "openltc/fit/error.h"
 #include "openltc/fit/identify.h"
+#include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ void add_errors(const table::PackedTable& packed, Description& out) {
   options.points = 24;
   options.horizon = fit::horizon_of(packed);
   const Result<fit::TableError> e = fit::measure_lobes(
-      *brdf, [&](double roughness, double c) { return fetch_packed(packed, roughness, c); },
+      *brdf, [&](double roughness, double c) { return fetch_albedo(packed, roughness, c); },
       options);
   if (!e) return;
   out.text +=
@@ -52,6 +53,16 @@ void add_errors(const table::PackedTable& packed, Description& out) {
   out.json["measured"] = {{"mean_tv", e->mean.tv}, {"max_tv", e->max.tv},
                           {"mean_l2", e->mean.l2}, {"mean_l3", e->mean.l3},
                           {"mean_n1", e->mean.n1}, {"mean_n5", e->mean.n5}};
+}
+
+// What a renderer has to do at the surface's horizon.
+const char* horizon_in_words(const table::PackedTable& packed) {
+  if (is_divided(packed))
+    return "divided: clip lights; n1 and n5 are over the lobe's share above already";
+  if (packed.metadata.horizon.empty()) return "not known";
+  return fit::horizon_of(packed) == fit::Horizon::clipped
+             ? "clipped: clip lights and divide by the lobe's share above"
+             : "leaking: the lobe as it is";
 }
 
 Description describe_packed(const std::string& path, const table::PackedTable& packed) {
@@ -65,6 +76,7 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
   out.text += fmt::format("packing    {}\n", facts.normalisation);
   out.text += fmt::format("brdf       {} ({})\n", m.brdf, m.variant);
   out.text += fmt::format("objective  {}\n", m.objective);
+  out.text += fmt::format("horizon    {}\n", horizon_in_words(packed));
   out.text += fmt::format("made by    {} (OpenLTC {})\n", m.command, m.tool_version);
   out.text += stated_errors(m);
   out.json = {{"file", path},
@@ -79,6 +91,7 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
               {"brdf", m.brdf},
               {"variant", m.variant},
               {"objective", m.objective},
+              {"horizon", m.horizon},
               {"command", m.command},
               {"tool_version", m.tool_version},
               {"mean_tv", known_or_null(m.mean_tv)},

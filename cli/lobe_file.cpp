@@ -3,6 +3,7 @@
 
 #include "cli/lobe_file.h"
 
+#include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
 #include "openltc/table/table_file.h"
 
@@ -30,6 +31,14 @@ Status check_width(const std::string& path, brdf::LobeWidth width,
                   path, width_of(metadata))};
 }
 
+void note_brdf(const std::string& path, const table::TableMetadata& metadata,
+               std::vector<std::string>& notes) {
+  if (metadata.brdf.empty() || metadata.brdf == "ggx") return;
+  notes.push_back(fmt::format("{}: fitted to {}; the reference integrator and point lights by the "
+                              "exact BRDF shade ggx",
+                              path, metadata.brdf));
+}
+
 } // namespace
 
 bool is_polynomial_file(const std::string& path) {
@@ -45,15 +54,18 @@ bool is_polynomial_file(const std::string& path) {
   return text.find("\"openltc-lobe-polynomial\"") != std::string::npos;
 }
 
-Result<ShadingLobes> read_shading_lobes(const std::string& path) {
+Result<ShadingLobes> read_shading_lobes(const std::string& path, std::vector<std::string>& notes) {
   if (is_polynomial_file(path)) {
     Result<table::LobePolynomial> polynomial = table::read_polynomial(path);
     if (!polynomial) return polynomial.error();
     if (Status status = check_width(path, polynomial->width, polynomial->metadata); !status)
       return status.error();
+    note_brdf(path, polynomial->metadata, notes);
     return ShadingLobes(std::move(*polynomial));
   }
-  Result<table::LobeTable> table = table::read_table(path);
+  const Result<table::PackedTable> packed = table::read_packed(path);
+  if (!packed) return packed.error();
+  Result<table::LobeTable> table = table::shading_table(*packed, path);
   if (!table) return table.error();
   if (Status status = check_width(path, table->width, table->metadata); !status)
     return status.error();
@@ -61,6 +73,11 @@ Result<ShadingLobes> read_shading_lobes(const std::string& path) {
     return Error{fmt::format("{}: has one column, a lobe for one roughness only; surfaces are "
                              "shaded with a table over all of them",
                              path)};
+  note_brdf(path, table->metadata, notes);
+  if (!facts_of(packed->layout).has_amplitudes)
+    notes.push_back(fmt::format("{}: layout {} holds no amplitudes; n1 = 1 and n5 = 0 are used, as "
+                                "if no light were lost: rough surfaces come out too bright",
+                                path, name_of(packed->layout)));
   return ShadingLobes(std::move(*table));
 }
 

@@ -11,6 +11,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace openltc::cli {
 
@@ -23,6 +24,7 @@ using ShadingLobes = std::variant<table::LobeTable, table::LobePolynomial>;
 /// Reads a table of any layout, or a polynomial, to shade with. Errors as read_table and
 /// read_polynomial; refuses lobes that the shading kernels would misread: they factor alpha out of
 /// the width and interpolate over roughness, so width "one" and a single column are not for them.
-Result<ShadingLobes> read_shading_lobes(const std::string& path);
+/// `notes` gets a line for each thing that the picture's reader should know about them.
+Result<ShadingLobes> read_shading_lobes(const std::string& path, std::vector<std::string>& notes);
 
 } // namespace openltc::cli

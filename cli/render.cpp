@@ -151,13 +151,14 @@ LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene:
 }
 
 /// The lobes to shade with; those of a file are kept in `own`.
-Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, ShadingLobes& own) {
+Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, ShadingLobes& own,
+                                        std::vector<std::string>& notes) {
   if (arguments.table.empty()) {
     if (arguments.lobes.value_or(LobeForm::table) == LobeForm::polynomial)
       return render::LobeSource(table::builtin_ggx_polynomial());
     return render::LobeSource(table::builtin_ggx_table());
   }
-  Result<ShadingLobes> read = read_shading_lobes(arguments.table);
+  Result<ShadingLobes> read = read_shading_lobes(arguments.table, notes);
   if (!read) return read.error();
   own = std::move(*read);
   const bool polynomial = std::holds_alternative<table::LobePolynomial>(own);
@@ -236,7 +237,7 @@ int run_render(const RenderArguments& arguments) {
   }
 
   ShadingLobes own_lobes;
-  const Result<render::LobeSource> lobes = choose_lobes(arguments, own_lobes);
+  const Result<render::LobeSource> lobes = choose_lobes(arguments, own_lobes, scene.warnings);
   if (!lobes) return fail(lobes.error().message);
 
   if (!arguments.quiet) {

@@ -4,6 +4,7 @@
 #include "openltc/fit/error.h"
 
 #include "openltc/fit/lobe_fit.h"
+#include "openltc/table/divided.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -156,7 +157,7 @@ LobeFunction lobes_of(const table::PackedTable& packed) {
 
 Horizon horizon_of(const table::PackedTable& packed) {
   const std::string& said = packed.metadata.horizon;
-  if (said == name_of(Horizon::clipped)) return Horizon::clipped;
+  if (said == name_of(Horizon::clipped) || said == table::k_divided) return Horizon::clipped;
   if (said == name_of(Horizon::leaking)) return Horizon::leaking;
   return packed.layout == table::Layout::native ? Horizon::clipped : Horizon::leaking;
 }

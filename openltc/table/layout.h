@@ -96,7 +96,8 @@ Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precis
 
 /// The inverse of pack, on the layout's own angle axis: exact at the nodes up to rounding, but for
 /// Godot's, which are resampled. Fails
-/// on a texel without a lobe (determinant not positive). Without amplitudes n1 is 1 and n5 is 0.
+/// on a texel without a lobe (determinant not positive). Without amplitudes n1 is 1 and n5 is 0;
+/// those that are divided (divided.h) are multiplied again, and the table is a clipped one.
 Result<LobeTable> unpack(const PackedTable& packed);
 
 /// What an engine of that layout reads: its own axes, its own stored values, rounded as they are

@@ -19,7 +19,8 @@ struct TableMetadata {
   std::string variant;   ///< e.g. "height-correlated Smith, F = 1"
   std::string objective; ///< what the fit minimised
   /// How the lobe is meant to be read at the surface's horizon: "clipped", divided by its share
-  /// above, or "leaking", as it is. Empty: not known.
+  /// above; "leaking", as it is; "divided", clipped, by a renderer that does not divide: n1 and n5
+  /// are divided already (divided.h). Empty: not known.
   std::string horizon;
   std::string command;      ///< the command that made it
   std::string tool_version; ///< of OpenLTC

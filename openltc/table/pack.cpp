@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "openltc/table/clipped_sphere.h"
+#include "openltc/table/divided.h"
 #include "openltc/table/half.h"
 #include "openltc/table/layout.h"
 #include "openltc/table/lookup.h"
@@ -89,19 +90,6 @@ Status repair_determinant(PackedTable& packed, int column, int row) {
                            name_of(packed.layout), column, row, name_of(packed.precision))};
 }
 
-f64::FittedLobe lobe_of_node(const PackedTable& packed, int column, int row) {
-  std::array<double, 4> channels[2] = {};
-  for (std::size_t t = 0; t < packed.textures.size(); ++t) {
-    const Texture& texture = packed.textures[t];
-    for (int k = 0; k < texture.channels; ++k)
-      channels[t][std::size_t(k)] = double(
-          texture.values[std::size_t((row * texture.width + column) * texture.channels + k)]);
-  }
-  return lobe_of_texel(packed.layout, channels[0], channels[1],
-                       node_width(packed.width, packed.columns(), column),
-                       row_cosine(packed.layout, packed.angle_axis, packed.rows(), row));
-}
-
 double determinant(const PackedTable& packed, int column, int row) {
   const double det = lobe_of_node(packed, column, row).lobe.det;
   return std::isfinite(det) ? det : 0;
@@ -154,6 +142,19 @@ Result<PackedTable> pack_nodes(const LobeTable& table, Layout layout, Precision 
 
 } // namespace
 
+f64::FittedLobe lobe_of_node(const PackedTable& packed, int column, int row) {
+  std::array<double, 4> channels[2] = {};
+  for (std::size_t t = 0; t < packed.textures.size(); ++t) {
+    const Texture& texture = packed.textures[t];
+    for (int k = 0; k < texture.channels; ++k)
+      channels[t][std::size_t(k)] = double(
+          texture.values[std::size_t((row * texture.width + column) * texture.channels + k)]);
+  }
+  return lobe_of_texel(packed.layout, channels[0], channels[1],
+                       node_width(packed.width, packed.columns(), column),
+                       row_cosine(packed.layout, packed.angle_axis, packed.rows(), row));
+}
+
 Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precision) {
   const LayoutFacts& facts = facts_of(layout);
   // The clipped sphere needs a second axis even where roughness does not.
@@ -197,6 +198,8 @@ Result<LobeTable> unpack(const PackedTable& packed) {
   table.angle_axis = packed.angle_axis;
   table.width = packed.width;
   table.metadata = packed.metadata;
+  const bool divided = is_divided(packed);
+  if (packed.metadata.horizon == k_divided) table.metadata.horizon = k_clipped;
   table.texels.assign(std::size_t(table.columns) * std::size_t(table.rows) * LobeTable::k_channels,
                       0.0f);
   for (int row = 0; row < table.rows; ++row) {
@@ -219,8 +222,9 @@ Result<LobeTable> unpack(const PackedTable& packed) {
         texel[2] = float(m.z);
         texel[3] = float(m.w);
       }
-      texel[4] = float(fitted.n1);
-      texel[5] = float(fitted.n5);
+      const double above = divided ? share_above(fitted.lobe) : 1;
+      texel[4] = float(fitted.n1 * above);
+      texel[5] = float(fitted.n5 * above);
       for (int k = 0; k < 6; ++k)
         if (!std::isfinite(texel[k]))
           return Error{fmt::format("layout {}: the lobe of texel ({}, {}) is not finite",

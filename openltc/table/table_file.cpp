@@ -147,14 +147,18 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
   return table;
 }
 
+Result<LobeTable> shading_table(const PackedTable& packed, const std::string& name) {
+  Result<LobeTable> table = unpack(packed);
+  if (table && table->angle_axis != AngleAxis::sqrt_one_minus_cos)
+    table = resample(*table, table->columns, table->rows, AngleAxis::sqrt_one_minus_cos);
+  if (!table) return Error{fmt::format("{}: {}", name, table.error().message)};
+  return table;
+}
+
 Result<LobeTable> read_table(const std::string& path) {
   const Result<PackedTable> packed = read_packed(path);
   if (!packed) return packed.error();
-  Result<LobeTable> table = unpack(*packed);
-  if (table && table->angle_axis != AngleAxis::sqrt_one_minus_cos)
-    table = resample(*table, table->columns, table->rows, AngleAxis::sqrt_one_minus_cos);
-  if (!table) return Error{fmt::format("{}: {}", path, table.error().message)};
-  return table;
+  return shading_table(*packed, path);
 }
 
 std::string to_builtin_source(const LobeTable& table) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/table/layout.h"
 #include "openltc/table/lobe_table.h"
 
 #include <string>
@@ -23,8 +24,10 @@ std::string to_json(const LobeTable& table);
 /// has no positive determinant.
 Result<LobeTable> from_json(const std::string& text, const std::string& name);
 
-/// Reads a table of any layout that says itself what it is (packed_file.h) and gives it on the
-/// native angle axis, ready for shading.
+/// A table of any layout on the native angle axis, ready for shading. The error begins with `name`.
+Result<LobeTable> shading_table(const PackedTable& packed, const std::string& name);
+
+/// Reads a table of any layout that says itself what it is (packed_file.h) as a shading_table.
 Result<LobeTable> read_table(const std::string& path);
 
 /// Writes by extension: .json, or .cpp and .inc for the source of the built-in. Complete or not at

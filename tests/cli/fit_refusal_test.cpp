@@ -72,6 +72,9 @@ TEST_CASE("fit_names_what_is_wrong_usage") {
       {{"--degree", "4"}, "--degree is for --form polynomial"},
       {{"ggx"}, "ggx"},
       {{"-o"}, "output"},
+      {{"-o", "/tmp/x.txt"}, "x.txt: unknown extension"},
+      {{"-o", "/tmp/x"}, "x: unknown extension"},
+      {{"--form", "polynomial", "-o", "/tmp/x.ktx2"}, "x.ktx2: a polynomial is written as"},
   };
   for (const Case& c : cases) {
     CAPTURE(c.named);
@@ -131,13 +134,10 @@ TEST_CASE("fit_refuses_what_it_cannot_write_or_read_before_the_work") {
   };
   const auto in = [&](const char* name) { return folder.file(name); };
   const std::vector<Case> cases = {
-      {{"-o", in("x.txt")}, "x.txt: unknown extension"},
-      {{"-o", in("x")}, "x: unknown extension"},
       {{"-o", in("missing/x.dds")}, "missing does not exist"},
       {{"-o", in("folder.json")}, "folder.json: is a directory"},
       {{"-o", "/proc/x.json"}, "/proc/x.json: cannot write"},
       {{"-o", "/proc/x.dds", "--layout", "ltc_code"}, "/proc/x_1.dds: cannot write"},
-      {{"--form", "polynomial", "-o", in("x.ktx2")}, "x.ktx2: a polynomial is written as"},
       {{"--layout", "unity", "-o", in("x.cpp")}, "x.cpp: C++ source of the built-in"},
       {{"--brdf", "eon", "-o", in("x.cpp")}, "not for eon"},
       {{"--brdf", "eon", "--form", "polynomial", "-o", in("x.inc")}, "not for eon"},
@@ -165,12 +165,27 @@ TEST_CASE("fit_refuses_what_it_cannot_write_or_read_before_the_work") {
   }
 }
 
+TEST_CASE("one_texture_of_two_is_told_which_one_must_lie_beside_it") {
+  const TemporaryFolder folder;
+  const Result<table::PackedTable> packed =
+      table::pack(small_table(16, 16), table::Layout::ltc_code, table::Precision::float32);
+  REQUIRE(packed);
+  REQUIRE(table::write_packed(*packed, folder.file("x.dds")));
+  std::filesystem::remove(folder.file("x.dds.json"));
+  std::filesystem::remove(folder.file("x_2.dds"));
+  const std::string lone = folder.file("x_1.dds"), named = folder.file("y.dds");
+  CHECK(fails_naming(run_tool({"fit", "--quiet", "--against", lone}),
+                     folder.file("x_2.dds") + " must lie beside it"));
+  std::filesystem::rename(lone, named);
+  CHECK(fails_naming(run_tool({"fit", "--quiet", "--against", named}), "y_1.dds and "));
+}
+
 TEST_CASE("a_layout_that_half_precision_cannot_hold_leaves_older_files") {
   const TemporaryFolder folder;
   const std::string out = folder.file("x.dds"), first = folder.file("x_1.dds");
   write_text(first, k_older);
-  CHECK(fails_naming(run_tool({"fit", "--quiet", "--size", "8", "--layout", "o3de", "--precision",
-                               "float16", "-o", out}),
+  CHECK(fails_naming(run_tool({"fit", "--quiet", "--size", "8", "--refine", "on", "--layout",
+                               "o3de", "--precision", "float16", "-o", out}),
                      "beyond the 65504 of half precision"));
   CHECK(text_of(first) == k_older);
   CHECK(folder.file_count() == 1);
@@ -201,6 +216,29 @@ TEST_CASE("render_takes_its_lobes_from_tables_and_polynomials") {
   // A file says itself what it holds.
   CHECK(picture({"--table", polynomial}) == by_polynomial);
   CHECK(picture({"--lobes", "polynomial", "--table", polynomial}) == by_polynomial);
+
+  // What a table lacks, or is of another BRDF, is said.
+  const auto warned = [&](table::Layout layout, const std::string& brdf) {
+    table::LobeTable other = small_table(8, 8);
+    other.metadata.brdf = brdf;
+    const Result<table::PackedTable> written =
+        table::pack(other, layout, table::Precision::float32);
+    REQUIRE(written);
+    const std::string file = folder.file("w.ktx2");
+    REQUIRE(table::write_packed(*written, file));
+    std::vector<std::string> arguments = render(out, {"--table", file});
+    arguments.erase(arguments.begin() + 2); // --quiet
+    const Run run = run_tool(arguments);
+    REQUIRE(run.exit_code == 0);
+    for (const char* written_file : {"w.ktx2", "w_1.ktx2", "w_2.ktx2"})
+      std::filesystem::remove(folder.file(written_file));
+    return run.err;
+  };
+  CHECK(contains(warned(table::Layout::unity, "ggx"), "n1 = 1 and n5 = 0 are used"));
+  CHECK(contains(warned(table::Layout::native, "beckmann"), "w.ktx2: fitted to beckmann"));
+  const std::string usual = warned(table::Layout::native, "ggx");
+  CHECK_FALSE(contains(usual, "fitted to"));
+  CHECK_FALSE(contains(usual, "n1 = 1"));
 }
 
 TEST_CASE("render_refuses_lobes_that_are_broken_or_not_for_shading") {

@@ -13,6 +13,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -126,7 +127,9 @@ TEST_CASE("every_brdf_fits_and_the_file_says_with_what") {
     CHECK(m.tool_version.size() > 0);
     const bool clipped =
         c.layout == Layout::native || (!c.more.empty() && c.more[0] == "--clip-aware");
-    CHECK(m.horizon == (clipped ? "clipped" : "leaking"));
+    const bool divided = clipped && c.layout != Layout::native;
+    CHECK(m.horizon == (divided ? "divided" : clipped ? "clipped" : "leaking"));
+    CHECK(contains(run.err, "note: ") == (c.layout != Layout::native)); // 8 is no engine's size
     // Eight nodes of matrices that are not factored miss the sharp lobes between them, and yet are
     // far from having nothing to do with the BRDF, which is a TV of 1.
     CHECK(m.mean_tv > 0.001);
@@ -223,7 +226,7 @@ TEST_CASE("polynomials_of_every_degree_come_with_their_certificate") {
   const std::string again = folder.file("again.wgsl");
   REQUIRE(run_tool({"convert", in, again, "--quiet"}).exit_code == 0);
   CHECK(text_of(again) == text_of(folder.file("3.wgsl")));
-  CHECK(fails_naming(run_tool({"convert", in, folder.file("x.dds")}), "x.dds"));
+  CHECK(refuses_usage(run_tool({"convert", in, folder.file("x.dds")}), "x.dds"));
   CHECK(
       fails_naming(run_tool({"convert", in, folder.file("x.js"), "--layout", "unity"}), "3.json"));
 }
@@ -339,4 +342,69 @@ TEST_CASE("a_measured_material_becomes_a_table_of_one_column") {
     CHECK(fails_naming(run_tool({"render", demo_scene(), "--quiet", "--size", "16x16", "--table",
                                  path, "-o", folder.file("x.png")}),
                        path + ": holds lobes of width one"));
+}
+
+TEST_CASE("amplitudes_for_a_renderer_that_clips_come_back_as_the_albedo") {
+  const TemporaryFolder folder;
+  const std::string own = folder.file("own.json"), theirs = folder.file("theirs.ktx2"),
+                    back = folder.file("back.json"), other = folder.file("other.ktx2");
+  REQUIRE(fit({"--size", "16", "--refine", "off", "-o", own, "--quiet"}).exit_code == 0);
+  const Run run = fit({"--size", "16", "--layout", "ltc_code", "--clip-aware", "-o", theirs});
+  REQUIRE(run.exit_code == 0);
+  REQUIRE(run_tool({"convert", theirs, back, "--layout", "native", "--quiet"}).exit_code == 0);
+  const Result<table::PackedTable> packed = table::read_packed(theirs);
+  const Result<table::LobeTable> want = table::read_table(own), got = table::read_table(back),
+                                 shaded = table::read_table(theirs);
+  REQUIRE(packed);
+  REQUIRE(want);
+  REQUIRE(got);
+  REQUIRE(shaded);
+  CHECK(packed->metadata.horizon == "divided");
+  CHECK(got->metadata.horizon == "clipped");
+  CHECK(shaded->texels == got->texels); // what render --table reads
+  float largest = 0;                    // what is stored, over the albedo
+  for (int i = 0; i < 256; ++i)
+    largest = std::max(largest, packed->textures[1].values[std::size_t(i) * 4] /
+                                    got->texel(i % 16, i / 16)[4]);
+  CHECK(largest > 1.01f); // lobes leak at grazing angles
+  for (int row = 0; row < 16; ++row)
+    for (int column = 0; column < 16; ++column)
+      for (int k = 4; k < 6; ++k) {
+        REQUIRE(got->texel(column, row)[k] <= 1.001f);
+        REQUIRE(std::abs(got->texel(column, row)[k] - want->texel(column, row)[k]) < 1e-3f);
+      }
+  // Measured as albedo, not as what is stored.
+  const json said = json::parse(run_tool({"inspect", theirs, "--json"}).out);
+  CHECK(said["horizon"] == "divided");
+  CHECK(double(said["measured"]["mean_n1"]) < 0.01);
+  CHECK(double(said["measured"]["mean_tv"]) ==
+        doctest::Approx(double(said["mean_tv"])).epsilon(0.1));
+  // Another engine that clips: still divided, by the shares of its own texels.
+  REQUIRE(run_tool({"convert", theirs, other, "--layout", "o3de", "--quiet"}).exit_code == 0);
+  const json moved = json::parse(run_tool({"inspect", other, "--json"}).out);
+  CHECK(moved["horizon"] == "divided");
+  CHECK(double(moved["measured"]["mean_n1"]) < 0.01);
+}
+
+TEST_CASE("fit_says_where_a_layout_cannot_interpolate_and_refines_the_native_one_alone") {
+  const TemporaryFolder folder;
+  const auto table = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--size", "8", "-o", folder.file(name)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Run run = fit(arguments);
+    REQUIRE(run.exit_code == 0);
+    return run;
+  };
+  const std::string warning = "turn inside out between the nodes, at roughness";
+  const std::string said = table("a.ktx2", {"--layout", "unity", "--brdf", "beckmann"}).err;
+  CHECK(contains(said, warning));
+  CHECK(line_count(said) == 4); // fitted, warning, wrote, note
+  table("b.ktx2", {"--layout", "unity", "--brdf", "beckmann", "--refine", "off"});
+  CHECK_FALSE(contains(table("c.json", {"--brdf", "beckmann"}).err, warning));
+  const Result<table::PackedTable> a = table::read_packed(folder.file("a.ktx2")),
+                                   b = table::read_packed(folder.file("b.ktx2"));
+  REQUIRE(a);
+  REQUIRE(b);
+  for (std::size_t t = 0; t < a->textures.size(); ++t)
+    CHECK(a->textures[t].values == b->textures[t].values);
 }

@@ -98,7 +98,7 @@ TEST_CASE("fit_refuses_outputs_that_it_cannot_write") {
   for (const std::string& bad : {folder.file("missing/x.json"), folder.file("x.txt")}) {
     CAPTURE(bad);
     const Run run = run_tool({"fit", "--size", "64", "--quiet", "-o", bad}, {"", 0, 30});
-    CHECK(fails_naming(run, bad));
+    CHECK((contains(bad, ".txt") ? refuses_usage(run, bad) : fails_naming(run, bad)));
     CHECK(run.seconds < 2); // before the work
   }
   CHECK(folder.file_count() == 0);

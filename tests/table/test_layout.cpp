@@ -4,6 +4,7 @@
 // Layouts: what an engine reads of them is the table, and packing can be undone.
 
 #include "openltc/table/clipped_sphere.h"
+#include "openltc/table/divided.h"
 #include "openltc/table/half.h"
 #include "openltc/table/layout.h"
 
@@ -121,6 +122,50 @@ TEST_CASE("unpacking undoes packing on the layout's own nodes") {
       for (std::size_t i = 0; i < packed->textures[t].values.size(); ++i)
         REQUIRE(again->textures[t].values[i] ==
                 doctest::Approx(double(packed->textures[t].values[i])).epsilon(1e-3).scale(1e-3));
+  }
+}
+
+TEST_CASE("amplitudes over the share above the horizon come back as they were") {
+  for (const Layout layout : all_layouts()) {
+    CAPTURE(std::string(name_of(layout)));
+    const Result<LobeTable> table = resample(builtin_ggx_table(), 32, 32, angle_axis_of(layout));
+    REQUIRE(table);
+    const Result<PackedTable> plain = pack(*table, layout, Precision::float32);
+    REQUIRE(plain);
+    PackedTable divided = *plain;
+    divide_amplitudes(divided);
+    if (!facts_of(layout).has_amplitudes) {
+      CHECK(divided.textures[0].values == plain->textures[0].values);
+      CHECK(divided.metadata.horizon == "clipped");
+      continue;
+    }
+    CHECK(is_divided(divided));
+    CHECK(divided.metadata.horizon == "divided");
+    CHECK(divided.textures[0].values == plain->textures[0].values);
+    PackedTable twice = divided;
+    divide_amplitudes(twice);
+    CHECK(twice.textures[1].values == divided.textures[1].values);
+
+    // Divided: n1 by the share, as shading would, at a node near grazing.
+    const f64::FittedLobe before = lobe_of_node(*plain, 10, 29);
+    const double above = f64::share_above_horizon(before.lobe);
+    CHECK(above < 0.99);
+    CHECK(lobe_of_node(divided, 10, 29).n1 * above == doctest::Approx(before.n1));
+    CHECK(lobe_of_node(divided, 10, 29).n5 * above == doctest::Approx(before.n5));
+
+    const Result<LobeTable> want = unpack(*plain), got = unpack(divided);
+    REQUIRE(want);
+    REQUIRE(got);
+    CHECK(got->metadata.horizon == "clipped");
+    for (std::size_t i = 0; i < want->texels.size(); ++i)
+      REQUIRE(got->texels[i] == doctest::Approx(double(want->texels[i])).epsilon(1e-6));
+    for (int row = 0; row < 32; ++row) { // on the nodes and, less exactly, between them
+      const double c = row_cosine(layout, divided.angle_axis, 32, row);
+      for (const double roughness : {10 / 31.0, 10.5 / 31.0})
+        REQUIRE(fetch_albedo(divided, roughness, c).n1 ==
+                doctest::Approx(fetch_packed(*plain, roughness, c).n1).epsilon(0.02));
+    }
+    CHECK(fetch_albedo(*plain, 0.4, 0.2).n1 == fetch_packed(*plain, 0.4, 0.2).n1);
   }
 }
 
