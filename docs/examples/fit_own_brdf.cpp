@@ -54,9 +54,9 @@ int main(int argc, char** argv) {
 
   // How far the lobes are from the BRDF, between the nodes, as shading reads them: divided by their
   // share above the horizon. Total variation (TV) is a bound: no light of radiance up to L errs by
-  // more than E TV L, E the albedo. It has a limit that no table passes: the best single lobe does
-  // not have the short tails of a Gaussian (`openltc fit --brdf beckmann --report x.html` shows
-  // it).
+  // more than (E TV + |n1 - E|) L, E the albedo and n1 what the table holds for it. It has a limit
+  // that no table passes: the best single lobe does not have the short tails of a Gaussian
+  // (`openltc fit --brdf beckmann --report x.html` shows it).
   fit::MeasureOptions region;
   region.horizon = fit::Horizon::clipped;
   const auto error = fit::measure_lobes(brdf, fit::lobes_of(*table), region);

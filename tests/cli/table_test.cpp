@@ -19,7 +19,7 @@ const std::string& table_text() {
                               folder.file("report.json"), "--quiet"});
     REQUIRE(run.exit_code == 0);
     CHECK(run.err.empty());
-    CHECK(contains(run.out, "TV"));
+    CHECK(contains(run.out, "\ntv "));
     const auto report = bytes_of(folder.file("report.json"));
     CHECK(json::parse(report.begin(), report.end())["regions"].size() == 2);
     CHECK(folder.file_count() == 2);
