@@ -127,7 +127,7 @@ def times(bin_folder):
     rows = []
     for entry in json.loads(run.stdout)["benchmarks"]:
         name = entry["name"].removesuffix("/real_time")
-        value = f"{entry['real_time']:.3g} {entry['time_unit'].replace('us', 'µs')}"
+        value = f"{float(f'{entry["real_time"]:.3g}'):g} {entry['time_unit'].replace('us', 'µs')}"
         if "ns/point" in entry:
             value += f" ({1e9 * entry['ns/point']:.1f} ns a point)"
         rows.append([name, value])
