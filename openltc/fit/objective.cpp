@@ -44,9 +44,7 @@ Result<Objective> find_objective(std::string_view name) {
     }
     at = end + 1;
   }
-  if (end && o.tv + o.l2 + o.l3 > 0) {
-    return o;
-  }
+  if (end && o.tv + o.l2 + o.l3 > 0) return o;
   return Error{fmt::format("objective {}: choose balanced, tv, l2, l3, or three weights TV,L2,L3 "
                            "that are not negative, e.g. 1,0.5,0",
                            name)};

@@ -94,7 +94,9 @@ constexpr double k_short_tail = 30;
 
 } // namespace
 
-HalfVectors find_half_vectors(const brdf::Brdf& brdf, double roughness) {
+namespace {
+
+HalfVectors half_vectors_of(const brdf::Brdf& brdf, double roughness) {
   // At normal incidence the lobe is round: d wi = 4 (wo.h) d h leaves one integral over r in (0,
   // 1), here on a scale of log r.
   constexpr int n = 192;
@@ -125,6 +127,14 @@ HalfVectors find_half_vectors(const brdf::Brdf& brdf, double roughness) {
     --last;
   found.reach = last < n - 2 ? slope(last) : 1.0;
   return found;
+}
+
+} // namespace
+
+HalfVectors find_half_vectors(const brdf::Brdf& brdf, double roughness) try {
+  return brdf.eval ? half_vectors_of(brdf, roughness) : HalfVectors();
+} catch (...) {
+  return {}; // make_quadrature meets the same and says what it is
 }
 
 namespace {

@@ -47,6 +47,7 @@ struct HalfVectors {
   double scale = 1; ///< the median of what is reflected: alpha/sqrt(3)..alpha for GGX
   double reach = 1; ///< beyond it the tail holds nothing that counts; 1 is the horizon
 };
+/// Never throws: where the BRDF fails it is the default, and make_quadrature then reports why.
 HalfVectors find_half_vectors(const brdf::Brdf& brdf, double roughness);
 
 /// Rule for 0 < cos_theta <= 1, whose points crowd around the scale of `half_vectors`.

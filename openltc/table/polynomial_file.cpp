@@ -4,7 +4,7 @@
 #include "openltc/table/polynomial_file.h"
 
 #include "openltc/base/atomic_file.h"
-#include "openltc/table/description.h"
+#include "openltc/table/lobe_json.h"
 #include "openltc/table/polynomial_source.h"
 #include "openltc/target/shade_f64.h"
 
@@ -22,32 +22,7 @@ namespace {
 
 constexpr const char* k_format = "openltc-lobe-polynomial";
 constexpr int k_version = 1;
-constexpr int k_stored = 6;       // the last two channels of a term are padding
 constexpr int k_check_steps = 96; // of the grid on which a polynomial read from a file is checked
-
-// One term a line: six numbers, each the shortest that reads back as the same float.
-std::string number_rows(const LobePolynomial& polynomial) {
-  std::string rows;
-  const int count = polynomial_terms(polynomial.degree);
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < k_stored; ++k) {
-      const float value = polynomial.term(i)[k];
-      // "-0" would read back as the integer 0.
-      rows += value == 0 && std::signbit(value) ? std::string("-0.0") : fmt::format("{}", value);
-      rows += k + 1 < k_stored ? "," : i + 1 < count ? ",\n" : "\n";
-    }
-  return rows;
-}
-
-std::string text_of(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-double number_of(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
-}
 
 // The extension that `path` ends with, with its dot; empty when none of ours.
 std::string extension_of(const std::string& path) {
@@ -89,15 +64,9 @@ Status check_determinant(const LobePolynomial& polynomial, const std::string& na
 } // namespace
 
 std::string to_json(const LobePolynomial& polynomial) {
-  const TableMetadata& m = polynomial.metadata;
   std::string out = "{\n";
   out += fmt::format("\"format\": \"{}\",\n\"version\": {},\n", k_format, k_version);
-  out += "\"metadata\": {\n";
-  for (const MetadataField& field : k_metadata_fields)
-    out += fmt::format("  \"{}\": {}{}\n", field.name,
-                       field.text ? json_quoted(m.*field.text) : fmt::format("{}", m.*field.number),
-                       &field == std::end(k_metadata_fields) - 1 ? "" : ",");
-  out += "},\n";
+  out += metadata_json(polynomial.metadata);
   out += fmt::format("\"degree\": {},\n", polynomial.degree);
   out += fmt::format("\"width\": \"{}\",\n",
                      polynomial.width == brdf::LobeWidth::alpha ? "alpha" : "one");
@@ -108,7 +77,8 @@ std::string to_json(const LobePolynomial& polynomial) {
   out += "\"packing\": \"mirror frame: M^-1 = [A 0 aB; 0 1 0; aC 0 aD], a = alpha or 1, acting on "
          "(x', y, z'), x' = (cos, 0, sin), z' = (-sin, 0, cos)\",\n";
   out += "\"channels\": [\"A\", \"B\", \"C\", \"D\", \"n1\", \"s\"],\n\"n5\": \"n1 s^5\",\n";
-  out += "\"coefficients\": [\n" + number_rows(polynomial) + "]\n}\n";
+  out += "\"coefficients\": [\n" +
+         number_rows(polynomial.coefficients, LobePolynomial::k_channels) + "]\n}\n";
   return out;
 }
 
@@ -141,26 +111,21 @@ Result<LobePolynomial> polynomial_from_json(const std::string& text, const std::
   if (coefficients == root.end() || !coefficients->is_array())
     return Error{name + ": coefficients is missing"};
   const std::size_t terms = std::size_t(polynomial_terms(polynomial.degree));
-  if (coefficients->size() != terms * k_stored)
+  if (coefficients->size() != terms * k_stored_channels)
     return Error{fmt::format("{}: coefficients holds {} numbers, but degree {} needs {}", name,
-                             coefficients->size(), polynomial.degree, terms * k_stored)};
+                             coefficients->size(), polynomial.degree, terms * k_stored_channels)};
   polynomial.coefficients.assign(terms * LobePolynomial::k_channels, 0.0f);
-  for (std::size_t i = 0; i < terms * k_stored; ++i) {
+  for (std::size_t i = 0; i < terms * k_stored_channels; ++i) {
     const nlohmann::json& value = (*coefficients)[i];
-    float& number = polynomial.term(int(i / k_stored))[i % k_stored];
+    float& number = polynomial.term(int(i / k_stored_channels))[i % k_stored_channels];
     if (value.is_number()) number = float(value.get<double>());
     if (!value.is_number() || !std::isfinite(number))
       return Error{fmt::format("{}: coefficients[{}] is not a finite number", name, i)};
   }
   if (Status status = check_determinant(polynomial, name); !status) return status.error();
 
-  const auto metadata = root.find("metadata");
-  if (metadata == root.end() || !metadata->is_object())
-    return Error{name + ": metadata is missing"};
-  for (const MetadataField& field : k_metadata_fields) {
-    if (field.text) polynomial.metadata.*field.text = text_of(*metadata, field.name);
-    if (field.number) polynomial.metadata.*field.number = number_of(*metadata, field.name);
-  }
+  if (Status status = read_metadata(root, name, polynomial.metadata); !status)
+    return status.error();
   return polynomial;
 }
 
@@ -173,18 +138,18 @@ Result<LobePolynomial> read_polynomial(const std::string& path) {
 }
 
 std::string to_builtin_source(const LobePolynomial& polynomial) {
-  const TableMetadata& m = polynomial.metadata;
   const int terms = polynomial_terms(polynomial.degree);
   std::string out = "// Copyright (c) 2026 The OpenLTC authors\n"
                     "// SPDX-License-Identifier: MIT\n//\n";
   out += fmt::format("// Generated by: {}\n// Do not edit: tools/make_builtin_lobes.sh writes it "
                      "anew, and a test compares.\n//\n",
-                     m.command);
+                     polynomial.metadata.command);
   out += "// One term a line: A B C D n1 s (openltc/table/lobe_polynomial.h).\n\n";
   out += "#include \"openltc/table/lobe_polynomial.h\"\n\n";
   out += "namespace openltc::table {\n\nnamespace {\n\n";
-  out += fmt::format("// clang-format off\nconst double k_numbers[{}] = {{\n", terms * k_stored);
-  out += number_rows(polynomial);
+  out += fmt::format("// clang-format off\nconst double k_numbers[{}] = {{\n",
+                     terms * k_stored_channels);
+  out += number_rows(polynomial.coefficients, LobePolynomial::k_channels);
   out += "};\n// clang-format on\n\n";
   out += "LobePolynomial make_polynomial() {\n  LobePolynomial polynomial;\n";
   out += fmt::format("  polynomial.degree = {};\n", polynomial.degree);
@@ -192,12 +157,8 @@ std::string to_builtin_source(const LobePolynomial& polynomial) {
                      terms * LobePolynomial::k_channels);
   out += fmt::format("  for (int i = 0; i < {}; ++i)\n    for (int k = 0; k < {}; ++k)\n"
                      "      polynomial.term(i)[k] = float(k_numbers[i * {} + k]);\n",
-                     terms, k_stored, k_stored);
-  const auto field = [&](const char* name, const std::string& value) {
-    out += fmt::format("  polynomial.metadata.{} = {};\n", name, value);
-  };
-  for (const MetadataField& f : k_metadata_fields)
-    field(f.name, f.text ? json_quoted(m.*f.text) : fmt::format("{}", m.*f.number));
+                     terms, k_stored_channels, k_stored_channels);
+  out += metadata_assignments(polynomial.metadata, "polynomial");
   out += "  return polynomial;\n}\n\n} // namespace\n\n";
   out += "const LobePolynomial& builtin_ggx_polynomial() {\n"
          "  static const LobePolynomial polynomial = make_polynomial();\n"

@@ -5,6 +5,7 @@
 
 #include "openltc/base/atomic_file.h"
 #include "openltc/table/description.h"
+#include "openltc/table/lobe_json.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
@@ -23,32 +24,7 @@ namespace {
 
 constexpr const char* k_format = "openltc-lobe-table";
 constexpr int k_version = 2; // 1: square, sqrt(1 - cos theta), width alpha
-constexpr int k_stored = 6;  // the last two channels of a texel are padding
 constexpr int k_max_size = 512;
-
-// One texel a line: six numbers, each the shortest that reads back as the same float.
-std::string number_rows(const LobeTable& table) {
-  std::string rows;
-  const int count = table.columns * table.rows;
-  for (int i = 0; i < count; ++i) {
-    for (int k = 0; k < k_stored; ++k) {
-      rows += json_number(table.texels[std::size_t(i) * LobeTable::k_channels + std::size_t(k)]);
-      if (k + 1 < k_stored) rows += ",";
-    }
-    rows += i + 1 < count ? ",\n" : "\n";
-  }
-  return rows;
-}
-
-std::string text_of(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-double number_of(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
-}
 
 bool ends_with(const std::string& text, const char* ending) {
   const std::size_t n = std::strlen(ending);
@@ -58,15 +34,9 @@ bool ends_with(const std::string& text, const char* ending) {
 } // namespace
 
 std::string to_json(const LobeTable& table) {
-  const TableMetadata& m = table.metadata;
   std::string out = "{\n";
   out += fmt::format("\"format\": \"{}\",\n\"version\": {},\n", k_format, k_version);
-  out += "\"metadata\": {\n";
-  for (const MetadataField& field : k_metadata_fields)
-    out += fmt::format("  \"{}\": {}{}\n", field.name,
-                       field.text ? json_quoted(m.*field.text) : fmt::format("{}", m.*field.number),
-                       &field == std::end(k_metadata_fields) - 1 ? "" : ",");
-  out += "},\n";
+  out += metadata_json(table.metadata);
   out += fmt::format("\"columns\": {},\n\"rows\": {},\n", table.columns, table.rows);
   out += fmt::format("\"angle_axis\": \"{}\",\n", name_of(table.angle_axis));
   out +=
@@ -76,7 +46,7 @@ std::string to_json(const LobeTable& table) {
   out += "\"packing\": \"mirror frame: M^-1 = [A 0 wB; 0 1 0; wC 0 wD], w = width, acting on "
          "(x', y, z'), x' = (cos, 0, sin), z' = (-sin, 0, cos)\",\n";
   out += "\"channels\": [\"A\", \"B\", \"C\", \"D\", \"n1\", \"n5\"],\n";
-  out += "\"texels\": [\n" + number_rows(table) + "]\n}\n";
+  out += "\"texels\": [\n" + number_rows(table.texels, LobeTable::k_channels) + "]\n}\n";
   return out;
 }
 
@@ -117,18 +87,19 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
   const auto texels = root.find("texels");
   if (texels == root.end() || !texels->is_array()) return Error{name + ": texels is missing"};
   const std::size_t count = std::size_t(table.columns) * std::size_t(table.rows);
-  if (texels->size() != count * k_stored)
+  if (texels->size() != count * k_stored_channels)
     return Error{fmt::format("{}: texels holds {} numbers, but {} x {} needs {}", name,
-                             texels->size(), table.columns, table.rows, count * k_stored)};
+                             texels->size(), table.columns, table.rows, count * k_stored_channels)};
 
   table.texels.assign(count * LobeTable::k_channels, 0.0f);
   for (std::size_t i = 0; i < count; ++i) {
     float* texel = table.texels.data() + i * LobeTable::k_channels;
-    for (int k = 0; k < k_stored; ++k) {
-      const nlohmann::json& value = (*texels)[i * k_stored + k];
+    for (int k = 0; k < k_stored_channels; ++k) {
+      const nlohmann::json& value = (*texels)[i * k_stored_channels + k];
       if (value.is_number()) texel[k] = float(value.get<double>());
       if (!value.is_number() || !std::isfinite(texel[k]))
-        return Error{fmt::format("{}: texels[{}] is not a finite number", name, i * k_stored + k)};
+        return Error{
+            fmt::format("{}: texels[{}] is not a finite number", name, i * k_stored_channels + k)};
     }
     const int column = int(i % std::size_t(table.columns));
     const double width = node_width(table.width, table.columns, column);
@@ -137,13 +108,7 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
                                column, i / std::size_t(table.columns))};
   }
 
-  const auto metadata = root.find("metadata");
-  if (metadata == root.end() || !metadata->is_object())
-    return Error{name + ": metadata is missing"};
-  for (const MetadataField& field : k_metadata_fields) {
-    if (field.text) table.metadata.*field.text = text_of(*metadata, field.name);
-    if (field.number) table.metadata.*field.number = number_of(*metadata, field.name);
-  }
+  if (Status status = read_metadata(root, name, table.metadata); !status) return status.error();
   return table;
 }
 
@@ -162,18 +127,18 @@ Result<LobeTable> read_table(const std::string& path) {
 }
 
 std::string to_builtin_source(const LobeTable& table) {
-  const TableMetadata& m = table.metadata;
   std::string out = "// Copyright (c) 2026 The OpenLTC authors\n"
                     "// SPDX-License-Identifier: MIT\n//\n";
   out += fmt::format("// Generated by: {}\n// Do not edit: tools/make_builtin_lobes.sh writes it "
                      "anew, and a test compares.\n//\n",
-                     m.command);
+                     table.metadata.command);
   out += "// One texel a line: A B C D n1 n5 (openltc/table/lobe_table.h).\n\n";
   out += "#include \"openltc/table/lobe_table.h\"\n\n";
   out += "namespace openltc::table {\n\nnamespace {\n\n";
   out += "// clang-format off\n";
-  out += fmt::format("const double k_numbers[{}] = {{\n", table.columns * table.columns * k_stored);
-  out += number_rows(table);
+  out += fmt::format("const double k_numbers[{}] = {{\n",
+                     table.columns * table.columns * k_stored_channels);
+  out += number_rows(table.texels, LobeTable::k_channels);
   out += "};\n// clang-format on\n\n";
   out += "LobeTable make_table() {\n  LobeTable table;\n";
   out += fmt::format("  table.columns = table.rows = {};\n", table.columns);
@@ -182,12 +147,8 @@ std::string to_builtin_source(const LobeTable& table) {
   out += fmt::format("  for (int i = 0; i < {}; ++i)\n    for (int k = 0; k < {}; ++k)\n"
                      "      table.texels[i * LobeTable::k_channels + k] = float(k_numbers[i * {} + "
                      "k]);\n",
-                     table.columns * table.columns, k_stored, k_stored);
-  const auto field = [&](const char* name, const std::string& value) {
-    out += fmt::format("  table.metadata.{} = {};\n", name, value);
-  };
-  for (const MetadataField& f : k_metadata_fields)
-    field(f.name, f.text ? json_quoted(m.*f.text) : fmt::format("{}", m.*f.number));
+                     table.columns * table.columns, k_stored_channels, k_stored_channels);
+  out += metadata_assignments(table.metadata, "table");
   out += "  return table;\n}\n\n} // namespace\n\n";
   out += "const LobeTable& builtin_ggx_table() {\n  static const LobeTable table = make_table();\n"
          "  return table;\n}\n\n} // namespace openltc::table\n";

@@ -102,7 +102,7 @@ TEST_CASE("a projection of lobes that the terms can represent gives them back") 
   CHECK(line[1] == doctest::Approx(0.7));
 }
 
-TEST_CASE("refinement pays in small tables and costs nothing in large ones") {
+TEST_CASE("refinement pays in small tables and leaves the mean of large ones as it is") {
   for (const int size : {8, 16, 64}) {
     fit::TableFitOptions options;
     options.size = size;

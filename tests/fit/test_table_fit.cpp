@@ -164,6 +164,19 @@ TEST_CASE("a BRDF that is not finite, negative or black is refused in one line")
   }
 }
 
+TEST_CASE("what a BRDF throws does not cross fit_table") {
+  const auto throws = brdf::brdf_from_function("throws", [](Vec3d, Vec3d wi, double) -> double {
+    if (wi.x != 0 && wi.z < 0.7) throw 1; // also where only the scale of half vectors is looked for
+    return f64::k_inv_pi;
+  });
+  fit::TableFitOptions options;
+  options.size = 4;
+  options.quadrature = fit::QuadratureSize{8, 8};
+  const Result<table::LobeTable> fitted = fit::fit_table(throws, options);
+  REQUIRE_FALSE(fitted);
+  CHECK(fitted.error().message == "brdf throws: its function threw");
+}
+
 TEST_CASE("a BRDF without a parameter gets one column") {
   brdf::Brdf plain = brdf::brdf_from_function(
       "plain",
