@@ -8,28 +8,78 @@
 
 #pragma once
 
+#include "openltc/image/image.h"
 #include "openltc/target/vec.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace openltc::light {
 
-/// A planar Lambertian emitter bounded by one or more closed outlines.
+/// What every light with an extent has, whatever its shape.
+struct Emitter {
+  std::string name;
+  Vec3f radiance{0, 0, 0}; ///< nits along the normal of the emitting surface
+  /// p: the radiance at the angle t from the normal is radiance * cos(t)^p. 0 is Lambert's emitter,
+  /// the same in every direction; larger ones are narrower.
+  float cosine_power = 0;
+  bool two_sided = false; ///< emits to both sides alike; polygons and ellipses only
+  /// Metres by which the surface that the light was made of leaves the light's own shape; shadow
+  /// rays stop before it. 0 for lights without a surface.
+  float surface_deviation = 0;
+  /// Index into Lights::textures of the picture that the radiance is multiplied by, -1 = none;
+  /// polygons and ellipses only.
+  int texture = -1;
+  /// Where the picture lies, world space: its texture coordinates are
+  ///   u = (p - texture_corner) . texture_u / |texture_u|^2, v alike; (0, 0) is the upper left
+  ///   corner
+  /// of the picture's first texel, v grows downwards, and the picture is clamped at its border.
+  Vec3f texture_corner{0, 0, 0}, texture_u{1, 0, 0}, texture_v{0, -1, 0};
+};
+
+/// A planar emitter bounded by one or more closed outlines.
 ///
 /// Outlines are planar within rounding. Seen from the emitting side, outer rings run
 /// counter-clockwise and holes clockwise, so that the signed area along `normal` is positive.
-struct PolygonLight {
-  std::string name;
+struct PolygonLight : Emitter {
   std::vector<Vec3f> vertices;         ///< all rings one after the other, world space
   std::vector<std::uint32_t> ring_end; ///< one past the last vertex of each ring, ascending
   Vec3f normal{0, 0, 1};               ///< unit, world space, towards the emitting side
-  Vec3f radiance{0, 0, 0};             ///< nits, the same in every direction
-  bool two_sided = false;              ///< emits to both sides with the same radiance
-  /// Metres by which the surface that the light was made of leaves the light's plane; shadow rays
-  /// stop before it. 0 for lights without a surface.
-  float surface_deviation = 0;
+};
+
+/// A flat ellipse; a disk when both semi-axes are equally long. Emits along half_u x half_v.
+struct EllipseLight : Emitter {
+  Vec3f center{0, 0, 0};
+  Vec3f half_u{1, 0, 0}, half_v{0, 1, 0}; ///< semi-axes, perpendicular, world space
+};
+
+/// A sphere. Emits outwards; no light reaches points inside.
+struct SphereLight : Emitter {
+  Vec3f center{0, 0, 0};
+  float radius = 1; ///< metres
+};
+
+enum class TubeCaps {
+  none, ///< the lateral surface alone, which emits outwards
+  flat, ///< a solid cylinder
+  round ///< a capsule: a hemisphere at each end, beyond the ends of the axis
+};
+
+/// A round tube along a straight axis. Emits outwards; no light reaches points inside.
+struct TubeLight : Emitter {
+  Vec3f from{-0.5f, 0, 0}, to{0.5f, 0, 0}; ///< ends of the axis, world space
+  float radius = 0.05f;                    ///< metres
+  TubeCaps caps = TubeCaps::round;
+};
+
+/// A tube that is too thin to have a width: `radiance` times the tube's diameter is what it is
+/// known by, its intensity per length across the axis. `radiance`, `cosine_power` and `two_sided`
+/// of the Emitter are unused.
+struct LineLight : Emitter {
+  Vec3f from{-0.5f, 0, 0}, to{0.5f, 0, 0}; ///< world space
+  Vec3f intensity_per_metre{1, 1, 1};      ///< cd/m, seen at a right angle to the line
 };
 
 enum class PunctualType { point, spot, directional };
@@ -48,9 +98,33 @@ struct PunctualLight {
 
 struct Lights {
   std::vector<PolygonLight> polygons;
+  std::vector<EllipseLight> ellipses;
+  std::vector<SphereLight> spheres;
+  std::vector<TubeLight> tubes;
+  std::vector<LineLight> lines;
   std::vector<PunctualLight> punctual;
+  std::vector<image::Image> textures; ///< linear Rec.709, 3 channels or more, row 0 at the top
 
-  bool empty() const { return polygons.empty() && punctual.empty(); }
+  /// Calls visit with every light that has an extent, shape by shape.
+  template <class Visit> void for_each_area_light(const Visit& visit) const {
+    for (const PolygonLight& light : polygons)
+      visit(light);
+    for (const EllipseLight& light : ellipses)
+      visit(light);
+    for (const SphereLight& light : spheres)
+      visit(light);
+    for (const TubeLight& light : tubes)
+      visit(light);
+    for (const LineLight& light : lines)
+      visit(light);
+  }
+
+  /// Lights with an extent.
+  std::size_t area_light_count() const {
+    return polygons.size() + ellipses.size() + spheres.size() + tubes.size() + lines.size();
+  }
+
+  bool empty() const { return area_light_count() == 0 && punctual.empty(); }
 };
 
 } // namespace openltc::light

@@ -6,23 +6,16 @@
 
 #include "openltc/light/polygon.h"
 
-#include <fmt/format.h>
+#include "openltc/light/emitter.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace openltc::light {
 
 namespace {
 
 Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
-bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-bool is_non_negative(Vec3f v) { return v.x >= 0 && v.y >= 0 && v.z >= 0; }
-
-bool is_unit(Vec3f v) { return std::abs(length(to_double(v)) - 1) < 1e-3; }
 
 } // namespace
 
@@ -48,14 +41,11 @@ double area(const PolygonLight& light) {
 }
 
 Vec3f flux_lumens(const PolygonLight& light) {
-  const double sides = light.two_sided ? 2 : 1;
-  return light.radiance * float(std::numbers::pi * sides * area(light));
+  return light.radiance * float(exitance_per_radiance(light) * area(light));
 }
 
 Status validate(const PolygonLight& light) {
-  const auto wrong = [&](const char* what) {
-    return Error{fmt::format("light \"{}\": {}", light.name, what)};
-  };
+  const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
   if (light.ring_end.empty() || light.ring_end.back() != light.vertices.size())
     return wrong("ring_end does not end at the last vertex");
   std::size_t begin = 0;
@@ -67,8 +57,7 @@ Status validate(const PolygonLight& light) {
   if (!std::all_of(light.vertices.begin(), light.vertices.end(), is_finite))
     return wrong("a vertex is not finite");
   if (!is_finite(light.normal) || !is_unit(light.normal)) return wrong("the normal is not unit");
-  if (!is_finite(light.radiance) || !is_non_negative(light.radiance))
-    return wrong("the radiance is negative or not finite");
+  if (const Status status = validate_emitter(light); !status.ok()) return status.error();
   const double total = area(light);
   if (!(total > 0) || !std::isfinite(total)) return wrong("the outline has no area");
 
@@ -88,9 +77,7 @@ Status validate(const PolygonLight& light) {
 }
 
 Status validate(const PunctualLight& light) {
-  const auto wrong = [&](const char* what) {
-    return Error{fmt::format("light \"{}\": {}", light.name, what)};
-  };
+  const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
   if (!is_finite(light.position)) return wrong("the position is not finite");
   if (!is_finite(light.intensity) || !is_non_negative(light.intensity))
     return wrong("the intensity is negative or not finite");

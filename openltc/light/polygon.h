@@ -22,7 +22,7 @@ double signed_ring_area(std::span<const Vec3f> ring, Vec3f normal);
 /// Area in square metres: outer rings minus holes.
 double area(const PolygonLight& light);
 
-/// Luminous flux in lumens per channel: pi L A, twice that when two-sided.
+/// Luminous flux in lumens per channel: exitance_per_radiance(light) L A.
 Vec3f flux_lumens(const PolygonLight& light);
 
 /// Whether the light can be shaded. The error names the light and what is wrong:

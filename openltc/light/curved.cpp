@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/light/curved.h"
+
+#include "openltc/light/emitter.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace openltc::light {
+
+namespace {
+
+constexpr double k_pi = std::numbers::pi;
+
+double length_of(Vec3f v) { return length(Vec3d(double(v.x), double(v.y), double(v.z))); }
+
+// Whether an axis has a length that shading can square.
+bool is_extent(double metres) { return metres > 1e-12 && metres < 1e12; }
+
+template <class Light> Vec3f flux_of(const Light& light) {
+  return light.radiance * float(exitance_per_radiance(light) * area(light));
+}
+
+} // namespace
+
+double area(const EllipseLight& light) {
+  return k_pi * length_of(light.half_u) * length_of(light.half_v);
+}
+
+double area(const SphereLight& light) {
+  return 4 * k_pi * double(light.radius) * double(light.radius);
+}
+
+double area(const TubeLight& light) {
+  const double r = double(light.radius);
+  const double side = 2 * k_pi * r * length_of(light.to - light.from);
+  const double caps = light.caps == TubeCaps::none   ? 0
+                      : light.caps == TubeCaps::flat ? 2 * k_pi * r * r
+                                                     : 4 * k_pi * r * r;
+  return side + caps;
+}
+
+Vec3f flux_lumens(const EllipseLight& light) { return flux_of(light); }
+Vec3f flux_lumens(const SphereLight& light) { return flux_of(light); }
+Vec3f flux_lumens(const TubeLight& light) { return flux_of(light); }
+
+Vec3f flux_lumens(const LineLight& light) {
+  return light.intensity_per_metre * float(k_pi * k_pi * length_of(light.to - light.from));
+}
+
+Status validate(const EllipseLight& light) {
+  const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
+  if (!is_finite(light.center)) return wrong("the centre is not finite");
+  const double u = length_of(light.half_u), v = length_of(light.half_v);
+  if (!is_extent(u) || !is_extent(v)) return wrong("a semi-axis is not greater than zero");
+  const double across = double(dot(light.half_u, light.half_v));
+  if (!(std::abs(across) <= 1e-3 * u * v)) return wrong("the semi-axes are not perpendicular");
+  return validate_emitter(light);
+}
+
+Status validate(const SphereLight& light) {
+  const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
+  if (!is_finite(light.center)) return wrong("the centre is not finite");
+  if (!is_extent(double(light.radius))) return wrong("the radius is not greater than zero");
+  return validate_emitter(light);
+}
+
+Status validate(const TubeLight& light) {
+  const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
+  if (!is_finite(light.from) || !is_finite(light.to)) return wrong("an end is not finite");
+  if (!is_extent(double(light.radius))) return wrong("the radius is not greater than zero");
+  if (!is_extent(length_of(light.to - light.from)))
+    return wrong("the length is not greater than zero");
+  return validate_emitter(light);
+}
+
+Status validate(const LineLight& light) {
+  const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
+  if (!is_finite(light.from) || !is_finite(light.to)) return wrong("an end is not finite");
+  if (!is_extent(length_of(light.to - light.from)))
+    return wrong("the length is not greater than zero");
+  if (!is_finite(light.intensity_per_metre) || !is_non_negative(light.intensity_per_metre))
+    return wrong("the intensity per metre is negative or not finite");
+  return Success{};
+}
+
+} // namespace openltc::light

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// Area, flux and validity of ellipses, spheres, tubes and lines.
+
+#pragma once
+
+#include "openltc/base/result.h"
+#include "openltc/light/light.h"
+
+namespace openltc::light {
+
+/// Area in square metres of the emitting surface, one side.
+double area(const EllipseLight& light);
+double area(const SphereLight& light);
+double area(const TubeLight& light);
+
+/// Luminous flux in lumens per channel: exitance_per_radiance(light) L A.
+Vec3f flux_lumens(const EllipseLight& light);
+Vec3f flux_lumens(const SphereLight& light);
+Vec3f flux_lumens(const TubeLight& light);
+
+/// Luminous flux in lumens per channel: a thin Lambertian tube of radiance L and diameter w has the
+/// intensity per metre I = L w and the area pi w l, hence pi^2 I l.
+Vec3f flux_lumens(const LineLight& light);
+
+/// Whether the light can be shaded. The error names the light and what is wrong: values that are
+/// not finite, sizes that are not greater than zero, axes that are not perpendicular, negative
+/// radiance.
+Status validate(const EllipseLight& light);
+Status validate(const SphereLight& light);
+Status validate(const TubeLight& light);
+Status validate(const LineLight& light);
+
+} // namespace openltc::light
