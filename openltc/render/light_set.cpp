@@ -39,6 +39,7 @@ void pack(const light::SphereLight& light, AreaLightView& view, LightSet&) {
   view.shape = LightShape::sphere;
   copy3(view.center, light.center);
   view.radius = light.radius;
+  view.mean_emission = light::mean_emission(light);
 }
 
 void pack(const light::TubeLight& light, AreaLightView& view, LightSet&) {
@@ -46,6 +47,7 @@ void pack(const light::TubeLight& light, AreaLightView& view, LightSet&) {
   copy3(view.from, light.from);
   copy3(view.to, light.to);
   view.radius = light.radius;
+  view.mean_emission = light::mean_emission(light);
   view.caps = light.caps == light::TubeCaps::none   ? 0.0f
               : light.caps == light::TubeCaps::flat ? 1.0f
                                                     : 2.0f;

@@ -92,7 +92,9 @@ struct AreaLightView {
   bool two_sided = false;        ///< ellipse; the polygon has its own
   float radiance[3] = {0, 0, 0}; ///< nits; cd/m of a line
   float cosine_power = 0;        ///< see light::Emitter
-  float surface_deviation = 0;   ///< see light::Emitter
+  /// sphere, tube: mean of the emission over what one sees of it, see light::mean_emission
+  float mean_emission = 1;
+  float surface_deviation = 0; ///< see light::Emitter
 };
 
 struct PunctualLightView {

@@ -16,6 +16,7 @@ using Scalar = double;
 #include "openltc/target/scalar.inc"
 #include "openltc/target/shade_all.inc"
 #undef FN
+#undef FN_CALL
 #undef CONSTANT
 
 } // namespace openltc::f64

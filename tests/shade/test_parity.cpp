@@ -200,6 +200,11 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"shade_polygon", 5e-5},
       {"integrate_ellipse", 5e-5},
       {"integrate_sphere", 5e-5},
+      {"integrate_tube", 1e-4},
+      {"integrate_line", 1e-4},
+      {"intersect_tube", 5e-3},
+      {"sample_tube", 1e-5},
+      {"sample_line", 1e-5},
       {"sample_ellipse", 1e-5},
       {"sample_sphere", 1e-5},
       // rays that graze the light's plane
@@ -241,7 +246,8 @@ TEST_CASE("float follows double in every function") {
     const double worst = entry.second;
     CAPTURE(name);
     // Rays that graze the light's plane meet it far away.
-    CHECK(worst < (name == "intersect_ellipse" ? 2e-2 : 2e-4));
+    const bool grazes = name == "intersect_ellipse" || name == "intersect_tube";
+    CHECK(worst < (grazes ? 2e-2 : 2e-4));
   }
   CHECK(result.flipped <= 20);
 }
