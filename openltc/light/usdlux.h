@@ -3,7 +3,7 @@
 //
 // The brightness of UsdLux lights in nits and lux.
 //
-// OpenUSD 24.11's LightAPI: a light's luminance is
+// By the schema of OpenUSD's LightAPI a light's luminance is
 //   L = intensity * 2^exposure * color / size_factor, nits,
 // with size_factor 1, or, when `normalize` is on, the world-space area of the light's surface:
 // rect w h, disk pi r^2, sphere 4 pi r^2, cylinder 2 pi r l (it does not emit from its ends, so it

@@ -14,7 +14,8 @@
 //
 // The prelude of each target gives
 //   Vec2 profile_size(Profile)           columns, rows
-//   Real profile_lookup(Profile, uv)     bilinear at uv in [0, 1], clamped borders
+//   Real profile_lookup(Profile, uv)     bilinear at uv in [0, 1], clamped borders; the fractions of
+//                                        a texture unit have 8 bits
 
 /// atan(x) for x in [0, 1]: odd minimax polynomial of degree 13, absolute error 2.5e-7.
 FN Real atan_unit(Real x) {

@@ -119,9 +119,9 @@ TEST_CASE("symmetric_files_are_the_whole_circle_folded") {
   file.vertical = angles(0, 180, 10);
   file.horizontal = angles(0, 360, 15);
   const IesProfile whole = parsed(file.text(candela));
-  for (const auto& [from, to] : {std::pair{0.0, 90.0}, {0.0, 180.0}, {90.0, 270.0}, {0.0, 345.0}}) {
-    CAPTURE(to);
-    file.horizontal = angles(from, to, 15);
+  for (const auto& range : {std::pair{0.0, 90.0}, {0.0, 180.0}, {90.0, 270.0}, {0.0, 345.0}}) {
+    CAPTURE(range.second);
+    file.horizontal = angles(range.first, range.second, 15);
     const IesProfile folded = parsed(file.text(candela));
     CHECK(folded.flux_lumens == doctest::Approx(whole.flux_lumens));
     for (double h = 0; h < 360; h += 7)

@@ -71,13 +71,9 @@ TEST_CASE("a floor under a luminaire has the illuminance of its profile") {
   CHECK(profile->max_candela == 800);
   for (const render::Integrator integrator :
        {render::Integrator::ltc, render::Integrator::reference})
-    for (const auto& [x, z] : {std::pair{0.3, 0.1},
-                               {1.0, 1.0},
-                               {1.0, -1.0},
-                               {-2.0, 0.5},
-                               {-0.4, -2.2},
-                               {0.0, 3.0},
-                               {0.0, -3.0}}) {
+    for (const Vec2d& point : {Vec2d(0.3, 0.1), Vec2d(1, 1), Vec2d(1, -1), Vec2d(-2, 0.5),
+                               Vec2d(-0.4, -2.2), Vec2d(0, 3), Vec2d(0, -3)}) {
+      const double x = point.x, z = point.y;
       CAPTURE(x);
       CAPTURE(z);
       // Seen from above, counter-clockwise from +x is towards -z.
