@@ -4,6 +4,7 @@
 #include "openltc/render/light_set.h"
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ies.h"
 #include "openltc/light/polygon.h"
 
 #include <fmt/format.h>
@@ -93,6 +94,12 @@ LightSet pack_lights(const light::Lights& lights) {
     view.spot = light.type == light::PunctualType::spot;
     view.cos_inner = light.cos_inner;
     view.cos_outer = light.cos_outer;
+    if (light.profile) {
+      view.profile = light.profile->view();
+      copy3(view.right, light.right);
+      copy3(view.across, cross(light.right, light.direction));
+      set.profiles.push_back(light.profile);
+    }
     set.punctual.push_back(view);
   }
   return set;

@@ -8,6 +8,7 @@
 #include "openltc/light/packed_polygon.h"
 #include "openltc/render/shading_kernel.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct LightSet {
   std::vector<light::PackedPolygon> packed; ///< of the polygons among the area lights
   std::vector<AreaLightView> area_lights;
   std::vector<PunctualLightView> punctual;
+  std::vector<std::shared_ptr<const light::IesProfile>> profiles; ///< of the punctual lights
   std::vector<std::string> warnings; ///< lights that were left out, and why
 };
 

@@ -105,6 +105,9 @@ struct PunctualLightView {
   bool spot = false; ///< has a cone
   float cos_inner = 1, cos_outer = -1;
   bool directional = false;
+  ProfileView profile;          ///< no values: the same in every direction
+  float right[3] = {0, 1, 0};   ///< the profile's horizontal angle 0
+  float across[3] = {-1, 0, 0}; ///< its horizontal angle 90 degrees
 };
 
 /// Rays of one register's lanes; a ray runs from origin to origin + direction.

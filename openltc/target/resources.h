@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// What the dialect's resource handles, LobeTable, LobePolynomial and Polygon, are in C++: views of
-// plain arrays, the same for every number type. The owner of the arrays outlives the views.
+// What the dialect's resource handles, LobeTable, LobePolynomial, Polygon and Profile, are in C++:
+// views of plain arrays, the same for every number type. The owner of the arrays outlives the
+// views.
 
 #pragma once
 
@@ -36,6 +37,16 @@ struct PolygonView {
   float axis_u[3] = {1, 0, 0}; ///< orthonormal with axis_v and normal
   float axis_v[3] = {0, 1, 0};
   float normal[3] = {0, 0, 1}; ///< towards the emitting side
+};
+
+/// View of a luminous intensity by direction; see shade/profile.glsl.
+struct ProfileView {
+  /// columns * rows values from 0 to 1, shares of the maximum. Rows are slow: row j of n stands for
+  /// the angle pi j/(n - 1) from the light's axis. Columns are fast: column i of m stands for the
+  /// azimuth 2 pi i/(m - 1), the last being the first again; one column is the same all around.
+  const float* values = nullptr;
+  int columns = 0;
+  int rows = 0;
 };
 
 } // namespace openltc

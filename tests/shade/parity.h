@@ -17,16 +17,16 @@ constexpr int k_parity_max_outputs = 256;
 /// likewise. Returns the number of outputs.
 using ParityRun = int (*)(const float* in, int count, const LobeTableView* table,
                           const LobePolynomialView* polynomial, const PolygonView* polygon,
-                          float* out);
+                          const ProfileView* profile, float* out);
 
 int parity_run_baseline(const float*, int, const LobeTableView*, const LobePolynomialView*,
-                        const PolygonView*, float*);
+                        const PolygonView*, const ProfileView*, float*);
 int parity_run_sse4(const float*, int, const LobeTableView*, const LobePolynomialView*,
-                    const PolygonView*, float*);
+                    const PolygonView*, const ProfileView*, float*);
 int parity_run_avx2(const float*, int, const LobeTableView*, const LobePolynomialView*,
-                    const PolygonView*, float*);
+                    const PolygonView*, const ProfileView*, float*);
 int parity_run_avx512(const float*, int, const LobeTableView*, const LobePolynomialView*,
-                      const PolygonView*, float*);
+                      const PolygonView*, const ProfileView*, float*);
 int parity_lanes_baseline();
 int parity_lanes_sse4();
 int parity_lanes_avx2();

@@ -95,10 +95,24 @@ LobeTableView table_of_round(int round) {
   return {texels.data(), columns, rows};
 }
 
+// Profiles of several sizes in turn: smooth, of one column, of one row, of a single value.
+ProfileView profile_of_round(int round) {
+  const int sizes[][2] = {{25, 19}, {1, 91}, {9, 1}, {1, 1}, {2, 2}};
+  static std::vector<float> values;
+  const int columns = sizes[round % 5][0], rows = sizes[round % 5][1];
+  values.clear();
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
+      values.push_back(
+          float(0.5 + 0.3 * std::cos(6.283185 * i / columns) + 0.2 * std::sin(3.0 * j / rows)));
+  return {values.data(), columns, rows};
+}
+
 // Runs the scalar form of one number type over a batch.
 template <class R, class Evaluate>
 int run_scalar(const Batch& batch, const LobeTableView& table, const PolygonView& polygon,
-               Evaluate evaluate, std::vector<R>& out, const char** names) {
+               const ProfileView& profile, Evaluate evaluate, std::vector<R>& out,
+               const char** names) {
   const LobePolynomialView polynomial = table::builtin_ggx_polynomial().view();
   out.resize(std::size_t(testing::k_parity_max_outputs) * k_count);
   int outputs = 0;
@@ -106,7 +120,7 @@ int run_scalar(const Batch& batch, const LobeTableView& table, const PolygonView
     R inputs[testing::k_parity_inputs], results[testing::k_parity_max_outputs];
     for (int k = 0; k < testing::k_parity_inputs; ++k)
       inputs[k] = R(batch.in[std::size_t(k * k_count + i)]);
-    outputs = evaluate(inputs, table, polynomial, polygon, results, names);
+    outputs = evaluate(inputs, table, polynomial, polygon, profile, results, names);
     for (int k = 0; k < outputs; ++k)
       out[std::size_t(k * k_count + i)] = results[k];
   }
@@ -162,10 +176,12 @@ void check_lanes(testing::ParityRun run, int lanes) {
     const char* names[testing::k_parity_max_outputs] = {};
     std::vector<float> scalar, vector(std::size_t(testing::k_parity_max_outputs) * k_count);
     const LobeTableView table = table_of_round(round);
-    outputs = run_scalar(batch, table, polygon.view(), f32::parity_evaluate, scalar, names);
+    const ProfileView profile = profile_of_round(round);
+    outputs =
+        run_scalar(batch, table, polygon.view(), profile, f32::parity_evaluate, scalar, names);
     const LobePolynomialView polynomial = table::builtin_ggx_polynomial().view();
-    CHECK(run(batch.in.data(), k_count, &table, &polynomial, &polygon.view(), vector.data()) ==
-          outputs);
+    CHECK(run(batch.in.data(), k_count, &table, &polynomial, &polygon.view(), &profile,
+              vector.data()) == outputs);
     compare(vector, scalar, outputs, names, result);
   }
   MESSAGE(lanes, " lanes: largest difference from float ", result.largest, " in ", result.where,
@@ -233,9 +249,11 @@ TEST_CASE("float follows double in every function") {
     std::vector<float> single;
     std::vector<double> exact;
     const LobeTableView table = table_of_round(round);
+    const ProfileView profile = profile_of_round(round);
     const int outputs =
-        run_scalar(batch, table, polygon.view(), f32::parity_evaluate, single, names);
-    CHECK(run_scalar(batch, table, polygon.view(), f64::parity_evaluate, exact, names) == outputs);
+        run_scalar(batch, table, polygon.view(), profile, f32::parity_evaluate, single, names);
+    CHECK(run_scalar(batch, table, polygon.view(), profile, f64::parity_evaluate, exact, names) ==
+          outputs);
     compare(single, exact, outputs, names, result);
   }
   MESSAGE("largest difference ", result.largest, " in ", result.where,

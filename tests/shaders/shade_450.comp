@@ -12,7 +12,9 @@ layout(set = 0, binding = 3, std430) readonly buffer Polygons { vec4 openltc_pol
 layout(set = 0, binding = 4, std430) readonly buffer Points { vec4 points[]; };
 layout(set = 0, binding = 5, std430) buffer Colors { vec4 colors[]; };
 layout(set = 0, binding = 6, std430) readonly buffer Polynomial { vec4 openltc_polynomial[]; };
+layout(set = 0, binding = 7) uniform texture2DArray profiles;
 const int openltc_polynomial_degree = 4;
+#define openltc_profiles sampler2DArray(profiles, table_sampler)
 #define openltc_table_coefficients sampler2D(table_coefficients, table_sampler)
 #define openltc_table_amplitudes sampler2D(table_amplitudes, table_sampler)
 

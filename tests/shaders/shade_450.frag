@@ -13,7 +13,9 @@ layout(set = 0, binding = 4, std140) uniform Polynomial {
   ivec4 polynomial_header;
   vec4 openltc_polynomial[56];
 };
+layout(set = 0, binding = 5) uniform texture2DArray profiles;
 #define openltc_polynomial_degree polynomial_header.x
+#define openltc_profiles sampler2DArray(profiles, table_sampler)
 #define openltc_table_coefficients sampler2D(table_coefficients, table_sampler)
 #define openltc_table_amplitudes sampler2D(table_amplitudes, table_sampler)
 
