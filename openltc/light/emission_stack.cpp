@@ -258,10 +258,10 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
   copy3(view.picture_v, v_gradient);
   view.extent[0] = float(size.x);
   view.extent[1] = float(size.y);
-  stack.picture = picture.data;
-  view.picture = stack.picture.data();
-  view.picture_columns = picture.width;
-  view.picture_rows = picture.height;
+  view.picture = source.data.data();
+  view.picture_columns = source.width;
+  view.picture_rows = source.height;
+  view.picture_channels = source.channels;
 
   // As many texels as the picture has pixels across the light, but no more than allowed.
   const auto pixels_along = [&](Vec3d axis, double extent) {
@@ -319,7 +319,8 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
 }
 
 Status check_picture(const image::Image& picture, const Emitter& light) {
-  if (picture.empty()) return wrong_light(light.name, "its emission picture is empty");
+  if (picture.empty() || picture.channels < 3)
+    return wrong_light(light.name, "its emission picture is empty or has no colours");
   const float v2 = dot(light.texture_v, light.texture_v);
   const float u2 = dot(light.texture_u, light.texture_u);
   if (!(u2 > 0) || !(v2 > 0) || !std::isfinite(u2) || !std::isfinite(v2) ||

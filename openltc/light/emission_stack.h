@@ -32,8 +32,7 @@ struct EmissionStackOptions {
 struct EmissionStack {
   std::vector<float> texels;
   std::vector<std::int32_t> levels;
-  std::vector<float> picture;
-  EmissionTextureView view; ///< points into the vectors above; moves with them
+  EmissionTextureView view; ///< points into the vectors above and to the picture
   Vec3f mean{0, 0, 0};      ///< of the picture over the light
 
   EmissionStack() = default;
@@ -42,7 +41,8 @@ struct EmissionStack {
 };
 
 /// Filters `picture`, one of Lights::textures, for a light that has it as its emission; the light's
-/// radiance is not part of it. Values that are negative or not a number count as 0.
+/// radiance is not part of it. Values that are negative or not a number count as 0. The picture
+/// must outlive the view.
 /// The error names the light: an empty picture, texture axes of no length or along its normal, an
 /// outline of no extent.
 Result<EmissionStack> build_emission_stack(const image::Image& picture, const PolygonLight& light,

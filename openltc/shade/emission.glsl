@@ -48,6 +48,9 @@ CONSTANT k_emission_axis_share = 0.25;
 /// Share of the light's rectangle in the form whose axes the cells follow.
 CONSTANT k_emission_rectangle_share = 0.5;
 
+/// 1 / (2 ln 2): half the binary logarithm, from the natural one.
+CONSTANT k_half_inv_ln2 = 0.72134752044448170368;
+
 /// Integral variable t = y / sqrt(1 + y^2) and its inverse.
 FN Real emission_step_from_width(Real y) { return y * inversesqrt(Real(1.0) + y * y); }
 FN Real emission_width_from_step(Real t) {
@@ -191,7 +194,7 @@ FN Vec3 emission_seen(EmissionTexture emission, Vec3 position, Frame frame, Lobe
       Real weight = max(p.z, Real(0.0)) * inv_p2 * inv_p2 * above * in_u.share * in_v.share *
                     narrow.measure * wide.measure;
       Real level =
-          Real(0.5) * log2(max(density * narrow.side * wide.side, Real(1.0e-12)));
+          Real(k_half_inv_ln2) * log(max(density * narrow.side * wide.side, Real(1.0e-12)));
       sum = sum + emission_texel(emission, Vec2(in_u.center * inv_u, in_v.center * inv_v), level) *
                       weight;
     }

@@ -34,6 +34,7 @@ struct PolygonView {
   const float* in_plane = nullptr; ///< point_count * 2: the same points in (axis_u, axis_v)
   int point_count = 0;             ///< every ring repeats its first point at its end
   bool two_sided = false;
+  float area = 0;              ///< square metres
   float origin[3] = {0, 0, 0}; ///< a point of the plane, world space
   float axis_u[3] = {1, 0, 0}; ///< orthonormal with axis_v and normal
   float axis_v[3] = {0, 1, 0};
@@ -43,8 +44,8 @@ struct PolygonView {
 /// View of a light's emission picture: prefiltered, as light/emission_stack.h makes it, and as it
 /// is. The stack covers the light's bounding rectangle in its plane.
 struct EmissionTextureView {
-  /// All levels one after the other, rows from v = 0, 4 floats a texel: r g b times the share of the
-  /// light in the texel's neighbourhood, and that share.
+  /// All levels one after the other, rows from v = 0, 4 floats a texel: r g b times the share of
+  /// the light in the texel's neighbourhood, and that share.
   const float* texels = nullptr;
   /// 4 numbers a level: first texel, columns, rows, 0. Columns and rows are powers of two and half
   /// those of the level before, but at least 1; the last level is one texel, the light's mean.
@@ -55,9 +56,10 @@ struct EmissionTextureView {
   float axis_v[3] = {0, 1, 0};
   float extent[2] = {1, 1}; ///< their lengths, metres
 
-  /// The picture itself: picture_columns * picture_rows texels of 3 floats, linear, clamped.
+  /// The picture itself: picture_columns * picture_rows texels of picture_channels floats (3 or
+  /// more: r g b ...), linear, clamped; what is negative or not a number counts as 0.
   const float* picture = nullptr;
-  int picture_columns = 0, picture_rows = 0;
+  int picture_columns = 0, picture_rows = 0, picture_channels = 3;
   /// Its coordinates at a point p of the light: u = (p - picture_origin) . picture_u, v alike.
   float picture_origin[3] = {0, 0, 0};
   float picture_u[3] = {1, 0, 0};
