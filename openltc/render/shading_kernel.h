@@ -95,6 +95,8 @@ struct AreaLightView {
   /// sphere, tube: mean of the emission over what one sees of it, see light::mean_emission
   float mean_emission = 1;
   float surface_deviation = 0; ///< see light::Emitter
+  /// Polygons and ellipses: the picture that the radiance is multiplied by; no texels, no picture.
+  EmissionTextureView emission;
 };
 
 struct PunctualLightView {

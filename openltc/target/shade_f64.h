@@ -9,6 +9,8 @@
 #include "openltc/target/vec.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace openltc::f64 {
 
