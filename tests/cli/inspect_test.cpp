@@ -132,7 +132,7 @@ TEST_CASE("inspect_of_a_scene_gives_geometry_cameras_and_photometry") {
     return {};
   };
   const double pi = std::numbers::pi;
-  const json lamp = light("polygon", "lamp"), disk = light("polygon", "disk");
+  const json lamp = light("polygon", "lamp"), disk = light("disk", "disk");
   CHECK(double(lamp["luminance_nits"]) == doctest::Approx(100));
   CHECK(double(lamp["area_m2"]) == doctest::Approx(1));
   CHECK(double(lamp["size_m"][0]) == doctest::Approx(1));
