@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Lights of every shape, as a node's extras describe them (docs/lights.md lists the properties).
+// Lights of every shape, as a node's extras describe them (docs/lights_in_gltf.md lists the properties).
 //
 // Planar shapes emit along the node's -Z, tubes and lines lie along its X axis, spots and
 // directional lights shine along -Z. All lengths are multiplied by the largest component of the
