@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 
 //
-// openltc convert: between table layouts, precisions and containers.
+// openltc convert: between table layouts, precisions and containers; lights of scenes.
 
 #include "cli/choice.h"
 #include "cli/commands.h"
+#include "cli/convert_scene.h"
 #include "cli/fit_job.h"
 #include "cli/lobe_file.h"
 #include "cli/output_place.h"
+#include "cli/shape_options.h"
 #include "openltc/fit/error.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
@@ -37,6 +39,7 @@ struct ConvertArguments {
   std::optional<Precision> precision;
   int size = 0;
   std::string brdf;
+  scene::EmissiveOptions emissive;
   bool quiet = false;
 };
 
@@ -125,9 +128,20 @@ int convert_polynomial(const ConvertArguments& arguments) {
   return k_exit_ok;
 }
 
+int convert_lights(const ConvertArguments& arguments) {
+  const bool asks_for_table = arguments.layout || arguments.from_layout || arguments.precision ||
+                              arguments.size > 0 || !arguments.brdf.empty();
+  if (asks_for_table)
+    return fail(Error{arguments.input + ": holds a scene; --layout, --from-layout, --precision, "
+                                        "--size and --brdf are for tables"});
+  const Status status =
+      convert_scene(arguments.input, arguments.output, arguments.emissive, arguments.quiet);
+  return status.ok() ? k_exit_ok : fail(status.error());
+}
+
 int run_convert(const ConvertArguments& arguments) {
   if (is_polynomial_file(arguments.input)) return convert_polynomial(arguments);
-  // Scenes will be told apart here, by their extension.
+  if (is_scene_file(arguments.input)) return convert_lights(arguments);
   if (Status status = table::check_packed_extension(arguments.output); !status)
     return fail(status.error(), k_exit_usage);
   const Result<table::PackedTable> read =
@@ -167,7 +181,7 @@ int run_convert(const ConvertArguments& arguments) {
 void add_convert(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand(
-      "convert", "Convert a lobe table to another layout, precision or container");
+      "convert", "Convert a lobe table to another layout, or a scene's lights to EXT_lights_area");
   command->footer(
       "The container is that of the extension of OUT: .dds .ktx2 .exr .npy .json, and as source\n"
       ".h (C and C++) .glsl .hlsl .wgsl .js. A table of two textures becomes OUT_1 and OUT_2 in\n"
@@ -176,11 +190,14 @@ void add_convert(CLI::App& app, int& exit_code) {
       "A polynomial (.json) becomes .h .glsl .hlsl .wgsl .js, a function to paste.\n"
       "Layouts: native; ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP);\n"
       "godot; o3de. The error is measured again, through the look-up of the new layout.\n"
+      "A scene (.gltf .glb) becomes a .glb whose rectangular and round lights, those of emissive\n"
+      "surfaces and of nodes' extras, are EXT_lights_area; everything else stays in it.\n"
       "\n"
       "Examples:\n"
       "  openltc convert ggx.json ggx.dds --layout ltc_code\n"
       "  openltc convert ggx.json ggx.ktx2 --layout o3de --size 32\n"
-      "  openltc convert ltc_1.dds ltc.exr --from-layout ltc_code --brdf ggx");
+      "  openltc convert ltc_1.dds ltc.exr --from-layout ltc_code --brdf ggx\n"
+      "  openltc convert room.gltf room_lights.glb --recognise-shapes");
   Choices<Layout> layouts;
   for (const Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);
@@ -189,7 +206,10 @@ void add_convert(CLI::App& app, int& exit_code) {
   std::vector<std::string> brdfs;
   for (const brdf::Brdf& b : brdf::all_brdfs())
     brdfs.push_back(b.name);
-  command->add_option("input", arguments->input, "Table: .json .dds .ktx2 .exr .npy")->required();
+  command
+      ->add_option("input", arguments->input,
+                   "Table: .json .dds .ktx2 .exr .npy; or scene: .gltf .glb")
+      ->required();
   command->add_option("output", arguments->output, "File to write")->required();
   command
       ->add_option("--layout", arguments->layout, "Layout to write; that of the input if not given")
@@ -210,6 +230,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(2, 512));
   command->add_option("--brdf", arguments->brdf, "BRDF of a bare texture")
       ->check(CLI::IsMember(brdfs));
+  add_shape_options(*command, arguments->emissive);
   command->add_flag("--quiet", arguments->quiet, "No messages on stderr");
   command->callback([arguments, &exit_code] { exit_code = run_convert(*arguments); });
 }

@@ -6,6 +6,7 @@
 #include "cli/inspect.h"
 
 #include "cli/commands.h"
+#include "cli/shape_options.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
@@ -24,20 +25,21 @@ namespace {
 struct InspectArguments {
   std::string path;
   bool json = false;
+  scene::EmissiveOptions emissive;
 };
 
 struct Kind {
   const char* extension;
-  Result<Description> (*inspect)(const std::string& path);
+  Result<Description> (*inspect)(const std::string& path); ///< none: a scene
 };
 constexpr Kind k_kinds[] = {
-    {".gltf", inspect_scene},   {".glb", inspect_scene},   {".exr", inspect_exr},
+    {".gltf", nullptr},         {".glb", nullptr},         {".exr", inspect_exr},
     {".hdr", inspect_picture},  {".png", inspect_picture}, {".jpg", inspect_picture},
     {".jpeg", inspect_picture}, {".json", inspect_table},  {".dds", inspect_table},
     {".ktx2", inspect_table},   {".npy", inspect_table},
 };
 
-Result<Description> describe(const std::string& path) {
+Result<Description> describe(const std::string& path, const scene::EmissiveOptions& emissive) {
   std::error_code ec;
   const auto status = std::filesystem::status(path, ec);
   if (std::filesystem::is_directory(status)) return Error{fmt::format("{}: is a directory", path)};
@@ -49,7 +51,7 @@ Result<Description> describe(const std::string& path) {
       // A table of two files goes by the name of neither: ggx.dds is ggx_1.dds and ggx_2.dds.
       const bool may_be_two = kind.inspect == inspect_table || kind.inspect == inspect_exr;
       if (!std::filesystem::exists(status) && !(may_be_two && table::table_exists(path))) break;
-      return kind.inspect(path);
+      return kind.inspect ? kind.inspect(path) : inspect_scene(path, emissive);
     }
   if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
   return Error{
@@ -60,7 +62,7 @@ Result<Description> describe(const std::string& path) {
 }
 
 int run_inspect(const InspectArguments& arguments) {
-  const Result<Description> description = describe(arguments.path);
+  const Result<Description> description = describe(arguments.path, arguments.emissive);
   if (!description) {
     fmt::print(stderr, "openltc inspect: {}\n", description.error().message);
     return k_exit_failed;
@@ -100,6 +102,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "  openltc fit -o ggx.json && openltc inspect ggx.json\n"
       "  openltc inspect ltc_1.dds");
   command->add_option("file", arguments->path, "File to look at")->required();
+  add_shape_options(*command, arguments->emissive);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->callback([arguments, &exit_code] { exit_code = run_inspect(*arguments); });
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/scene/emissive.h"
 #include "openltc/table/lobe_table.h"
 
 #include <nlohmann/json.hpp>
@@ -35,6 +36,6 @@ Result<Description> inspect_exr(const std::string& path);
 /// A picture, .exr .hdr .png .jpg: size, layers, range of each channel, exposure.
 Result<Description> inspect_picture(const std::string& path);
 /// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, warnings.
-Result<Description> inspect_scene(const std::string& path);
+Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive);
 
 } // namespace openltc::cli

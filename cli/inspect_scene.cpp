@@ -6,6 +6,7 @@
 
 #include "cli/inspect.h"
 #include "openltc/image/tonemap.h"
+#include "openltc/light/curved.h"
 #include "openltc/light/polygon.h"
 #include "openltc/scene/gltf.h"
 
@@ -101,31 +102,101 @@ Vec2d extent_of(const light::PolygonLight& light) {
   return high - low;
 }
 
-void describe_polygon(const light::PolygonLight& light, Description& out, bool is_listed) {
-  const double area = light::area(light);
+double length_between(Vec3f a, Vec3f b) { return double(length(b - a)); }
+
+// What is said of a light's shape: its type, its sizes for programs, and both for people.
+struct ShapeDescription {
+  std::string type;
+  Json json;
+  std::string text;
+};
+
+ShapeDescription describe_shape(const light::PolygonLight& light) {
   const Vec2d size = extent_of(light);
-  const double lumens = double(image::luminance(light::flux_lumens(light)));
   std::size_t holes = 0;
   for (std::size_t r = 0; r < light.ring_end.size(); ++r)
     holes += light::signed_ring_area(light::ring_vertices(light, r), light.normal) < 0;
+  return {"polygon",
+          {{"corners", light.vertices.size()},
+           {"holes", holes},
+           {"size_m", Json::array({size.x, size.y})}},
+          fmt::format("polygon of {} corners{}, {:.4g} x {:.4g} m", light.vertices.size(),
+                      holes == 0 ? "" : fmt::format(" and {} hole{}", holes, holes > 1 ? "s" : ""),
+                      size.x, size.y)};
+}
+
+ShapeDescription describe_shape(const light::EllipseLight& light) {
+  const double x = double(length(light.half_u)), y = double(length(light.half_v));
+  const bool is_disk = std::abs(x - y) <= 1e-5 * std::max(x, y);
+  Json json = {{"center_m", numbers(light.center)},
+               {"size_m", Json::array({2 * x, 2 * y})},
+               {"radii_m", Json::array({x, y})}};
+  if (is_disk) return {"disk", json, fmt::format("disk, {:.4g} m across", 2 * x)};
+  return {"ellipse", json, fmt::format("ellipse, {:.4g} x {:.4g} m", 2 * x, 2 * y)};
+}
+
+ShapeDescription describe_shape(const light::SphereLight& light) {
+  return {"sphere",
+          {{"center_m", numbers(light.center)}, {"radius_m", light.radius}},
+          fmt::format("sphere, {:.4g} m across", 2 * light.radius)};
+}
+
+ShapeDescription describe_shape(const light::TubeLight& light) {
+  const char* const caps = light.caps == light::TubeCaps::none   ? "none"
+                           : light.caps == light::TubeCaps::flat ? "flat"
+                                                                 : "round";
+  const double metres = length_between(light.from, light.to);
+  return {"tube",
+          {{"from_m", numbers(light.from)},
+           {"to_m", numbers(light.to)},
+           {"length_m", metres},
+           {"radius_m", light.radius},
+           {"caps", caps}},
+          fmt::format("tube, {:.4g} m long, {:.4g} m across, {} ends", metres, 2 * light.radius,
+                      light.caps == light::TubeCaps::none ? "open" : caps)};
+}
+
+template <class Light> void describe_light(const Light& light, Description& out, bool is_listed) {
+  const ShapeDescription shape = describe_shape(light);
+  const double area = light::area(light);
+  const double lumens = double(image::luminance(light::flux_lumens(light)));
   const float nits = image::luminance(light.radiance);
+  Json json = {{"name", light.name}, {"type", shape.type}};
+  json.update(shape.json);
+  json["two_sided"] = light.two_sided;
+  json["area_m2"] = area;
+  json["radiance_nits"] = numbers(light.radiance);
+  json["luminance_nits"] = nits;
+  json["flux_lumens"] = lumens;
+  std::string more = light.two_sided ? ", two-sided" : "";
+  if (light.cosine_power > 0) {
+    json["cosine_power"] = light.cosine_power;
+    more += fmt::format(", narrowed by cos^{:.4g}", light.cosine_power);
+  }
+  if (light.texture >= 0) {
+    json["texture"] = light.texture;
+    more += ", textured (nits and lumens where it is white)";
+  }
+  out.json["lights"].push_back(json);
+  if (is_listed)
+    out.text += fmt::format("light      \"{}\": {}, {:.4g} m2, {:.4g} nits, {:.4g} lm{}\n",
+                            light.name, shape.text, area, nits, lumens, more);
+}
+
+void describe_light(const light::LineLight& light, Description& out, bool is_listed) {
+  const double metres = length_between(light.from, light.to);
+  const float strength = image::luminance(light.intensity_per_metre);
+  const double lumens = double(image::luminance(light::flux_lumens(light)));
   out.json["lights"].push_back({{"name", light.name},
-                                {"type", "polygon"},
-                                {"corners", light.vertices.size()},
-                                {"holes", holes},
-                                {"two_sided", light.two_sided},
-                                {"size_m", Json::array({size.x, size.y})},
-                                {"area_m2", area},
-                                {"radiance_nits", numbers(light.radiance)},
-                                {"luminance_nits", nits},
+                                {"type", "line"},
+                                {"from_m", numbers(light.from)},
+                                {"to_m", numbers(light.to)},
+                                {"length_m", metres},
+                                {"intensity_candela_per_metre", strength},
                                 {"flux_lumens", lumens}});
   if (is_listed)
-    out.text += fmt::format(
-        "light      \"{}\": polygon of {} corners{}, {:.4g} x {:.4g} m, {:.4g} m2, {:.4g} nits, "
-        "{:.4g} lm{}\n",
-        light.name, light.vertices.size(),
-        holes == 0 ? "" : fmt::format(" and {} hole{}", holes, holes > 1 ? "s" : ""), size.x,
-        size.y, area, nits, lumens, light.two_sided ? ", two-sided" : "");
+    out.text += fmt::format("light      \"{}\": line, {:.4g} m long, {:.4g} cd/m, {:.4g} lm\n",
+                            light.name, metres, strength, lumens);
 }
 
 void describe_punctual(const light::PunctualLight& light, Description& out, bool is_listed) {
@@ -149,6 +220,12 @@ void describe_punctual(const light::PunctualLight& light, Description& out, bool
     text += fmt::format(", {:.4g} lm", lumens);
   }
   if (light.type == light::PunctualType::spot) {
+    // Full inside the inner cone, the square of a ramp in the cosine between the two.
+    const double lumens =
+        2 * std::numbers::pi * strength *
+        ((1 - double(light.cos_inner)) + (double(light.cos_inner) - double(light.cos_outer)) / 3);
+    json["flux_lumens"] = lumens;
+    text += fmt::format(", {:.4g} lm", lumens);
     const double inner = degrees(std::acos(std::clamp(double(light.cos_inner), -1.0, 1.0)));
     const double outer = degrees(std::acos(std::clamp(double(light.cos_outer), -1.0, 1.0)));
     json["inner_cone_degrees"] = inner;
@@ -166,8 +243,8 @@ void describe_punctual(const light::PunctualLight& light, Description& out, bool
 void describe_lights(const light::Lights& lights, Description& out) {
   out.json["lights"] = Json::array();
   std::size_t listed = 0;
-  for (const light::PolygonLight& light : lights.polygons)
-    describe_polygon(light, out, listed++ < k_max_listed);
+  lights.for_each_area_light(
+      [&](const auto& light) { describe_light(light, out, listed++ < k_max_listed); });
   for (const light::PunctualLight& light : lights.punctual)
     describe_punctual(light, out, listed++ < k_max_listed);
   if (listed == 0) out.text += "light      none; a studio rig will light it\n";
@@ -178,8 +255,8 @@ void describe_lights(const light::Lights& lights, Description& out) {
 
 } // namespace
 
-Result<Description> inspect_scene(const std::string& path) {
-  const Result<scene::Scene> scene = scene::load_gltf(path);
+Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive) {
+  const Result<scene::Scene> scene = scene::load_gltf(path, emissive);
   if (!scene) return scene.error();
   Description out;
   out.json = {{"file", path}, {"kind", "scene"}};

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/lobe_file.h"
 #include "cli/picture_output.h"
+#include "cli/shape_options.h"
 #include "openltc/base/progress.h"
 #include "openltc/render/renderer.h"
 #include "openltc/scene/gltf.h"
@@ -54,6 +55,7 @@ struct RenderArguments {
   std::uint32_t seed = 0;
   int threads = 0;
   std::string kernel = "auto";
+  scene::EmissiveOptions emissive;
   bool half = false;
   bool quiet = false;
   bool json = false;
@@ -110,10 +112,12 @@ bool parse_size(const std::string& text, int& width, int& height) {
 /// Whether the only lights are surfaces that emit no more than glTF's plain emissive factor: labels
 /// and lamps drawn for the eye, too dim to see anything else by.
 bool only_glows(const light::Lights& lights) {
-  if (!lights.punctual.empty() || lights.polygons.empty()) return false;
-  for (const light::PolygonLight& light : lights.polygons)
-    if (std::max({light.radiance.x, light.radiance.y, light.radiance.z}) > 1.0f) return false;
-  return true;
+  if (!lights.punctual.empty() || !lights.lines.empty() || lights.empty()) return false;
+  bool is_dim = true;
+  lights.for_each_area_light([&](const light::Emitter& light) {
+    is_dim = is_dim && std::max({light.radiance.x, light.radiance.y, light.radiance.z}) <= 1.0f;
+  });
+  return is_dim;
 }
 
 struct LightsChosen {
@@ -218,7 +222,7 @@ int run_render(const RenderArguments& arguments) {
 
   catch_interrupts();
   const auto load_start = std::chrono::steady_clock::now();
-  Result<scene::Scene> loaded = scene::load_gltf(arguments.scene);
+  Result<scene::Scene> loaded = scene::load_gltf(arguments.scene, arguments.emissive);
   if (!loaded) return fail(loaded.error().message);
   scene::Scene& scene = *loaded;
   const double load_seconds =
@@ -246,8 +250,8 @@ int run_render(const RenderArguments& arguments) {
     std::size_t triangles = 0;
     for (const scene::Mesh& mesh : scene.meshes)
       triangles += mesh.triangles.size();
-    fmt::print(stderr, "{}: {} triangles, {} polygon and {} punctual lights, loaded in {:.2f} s\n",
-               arguments.scene, triangles, scene.lights.polygons.size(),
+    fmt::print(stderr, "{}: {} triangles, {} area and {} punctual lights, loaded in {:.2f} s\n",
+               arguments.scene, triangles, scene.lights.area_light_count(),
                scene.lights.punctual.size(), load_seconds);
     if (!lights.message.empty()) fmt::print(stderr, "{}\n", lights.message);
     if (scene.lights.empty())
@@ -292,7 +296,7 @@ int run_render(const RenderArguments& arguments) {
         {"height", options.height},
         {"samples", options.samples},
         {"shadow_samples", options.shadow_samples},
-        {"polygon_lights", scene.lights.polygons.size()},
+        {"area_lights", scene.lights.area_light_count()},
         {"punctual_lights", scene.lights.punctual.size()},
         {"kernel", picture->kernel},
         {"load_seconds", load_seconds},
@@ -317,11 +321,12 @@ int run_render(const RenderArguments& arguments) {
 void add_render(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command =
-      app.add_subcommand("render", "Render a glTF scene, lit by its polygon and point lights");
+      app.add_subcommand("render", "Render a glTF scene, lit by its area and point lights");
   command->footer(
       "Area lights are integrated in closed form with linearly transformed cosines (LTC), so the\n"
-      "light itself has no noise; shadows are sampled. Lights come from the file: planar emissive\n"
-      "surfaces, KHR_lights_punctual, EXT_lights_area. A file without lights gets a studio rig, a\n"
+      "light itself has no noise; shadows are sampled. Lights come from the file: emissive\n"
+      "surfaces, KHR_lights_punctual, EXT_lights_area, openltc_light in a node's extras. A file "
+      "without lights gets a studio rig, a\n"
       "file without camera is framed.\n"
       "\n"
       "Examples:\n"
@@ -386,6 +391,7 @@ void add_render(CLI::App& app, int& exit_code) {
                    "[scene; studio where it has none]")
       ->transform(one_of(choices))
       ->type_name(words_of(choices));
+  add_shape_options(*command, a.emissive);
   command
       ->add_option("--camera", a.camera,
                    "Camera by name or number from 0; \"frame\" shows the whole scene [the first]")

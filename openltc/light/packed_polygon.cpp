@@ -9,6 +9,8 @@
 
 #include "openltc/light/packed_polygon.h"
 
+#include "openltc/light/polygon_moments.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -168,6 +170,18 @@ PackedPolygon pack_polygon(const PolygonLight& light) {
   packed.view.point_count = int(packed.points.size() / 4);
   packed.view.two_sided = light.two_sided;
   packed.view.area = packed.area;
+  std::vector<Vec2d> flat_points;
+  for (std::size_t i = 0; i + 1 < packed.in_plane.size(); i += 2)
+    flat_points.push_back({double(packed.in_plane[i]), double(packed.in_plane[i + 1])});
+  const PolygonMoments moments =
+      polygon_moments(flat_points, [&](std::size_t i) { return packed.points[4 * i + 3] != 0.0f; });
+  double radius = 0;
+  for (const Vec2d& p : flat_points)
+    radius = std::max(radius, std::hypot(p.x - moments.centroid.x, p.y - moments.centroid.y));
+  store3(packed.view.centroid, origin + world(moments.centroid));
+  store3(packed.view.spread_u, world(moments.spread_u));
+  store3(packed.view.spread_v, world(moments.spread_v));
+  packed.view.radius = float(radius);
   store3(packed.view.origin, origin);
   store3(packed.view.axis_u, u);
   store3(packed.view.axis_v, v);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Polygon lights of simple shapes.
+// Lights of simple shapes.
 
 #pragma once
 
@@ -13,12 +13,8 @@ namespace openltc::light {
 /// two neighbouring sides and are perpendicular; it emits along normalize(half_right x half_up).
 PolygonLight rectangle(Vec3f center, Vec3f half_right, Vec3f half_up, Vec3f radiance);
 
-/// Corners of the polygon that stands for a disk.
-inline constexpr int k_disk_corners = 64;
-
-/// A disk around `center` as a regular polygon of k_disk_corners corners and exactly the disk's
-/// area, so that its flux is right; its outline leaves the circle by at most 0.08 % of the radius.
-/// `right` and `up` are orthonormal; it emits along right x up.
-PolygonLight disk(Vec3f center, Vec3f right, Vec3f up, float radius, Vec3f radiance);
+/// A flat ellipse around `center` with these perpendicular semi-axes, a disk when they are equally
+/// long; it emits along half_right x half_up.
+EllipseLight ellipse(Vec3f center, Vec3f half_right, Vec3f half_up, Vec3f radiance);
 
 } // namespace openltc::light

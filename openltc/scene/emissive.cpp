@@ -8,9 +8,13 @@
 
 #include "openltc/scene/emissive.h"
 
+#include "openltc/light/curved.h"
 #include "openltc/light/polygon.h"
 #include "openltc/scene/emissive_texture.h"
+#include "openltc/scene/grid.h"
 #include "openltc/scene/outline.h"
+#include "openltc/scene/recognise.h"
+#include "openltc/scene/weld.h"
 
 #include <fmt/format.h>
 
@@ -18,14 +22,16 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <span>
+#include <type_traits>
 #include <unordered_map>
+#include <variant>
 
 namespace openltc::scene {
 
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-
 // More lights than this deserve a word of warning: time grows with their number.
 constexpr std::size_t k_many_lights = 256;
 // The facets of a curved surface show little of the texture each: beyond this many, its mean does.
@@ -33,108 +39,6 @@ constexpr std::size_t k_max_pictures = 32;
 
 Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
 Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
-struct CellHash {
-  std::size_t operator()(const std::array<std::int64_t, 4>& cell) const {
-    std::uint64_t h = 14695981039346656037u; // FNV-1a, word-wise
-    for (const std::int64_t c : cell)
-      h = (h ^ std::uint64_t(c)) * 1099511628211u;
-    return std::size_t(h ^ (h >> 31));
-  }
-};
-
-using Cell = std::array<std::int64_t, 4>;
-using Grid = std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash>;
-
-// Calls visit(cell) for `center` and its neighbours in the first `dimensions` directions.
-template <class Visit> void for_neighbours(const Cell& center, int dimensions, const Visit& visit) {
-  int cells = 1;
-  for (int d = 0; d < dimensions; ++d)
-    cells *= 3;
-  for (int i = 0; i < cells; ++i) {
-    Cell cell = center;
-    for (int d = 0, rest = i; d < dimensions; ++d, rest /= 3)
-      cell[std::size_t(d)] += rest % 3 - 1;
-    visit(cell);
-  }
-}
-
-struct Extent {
-  Vec3d center{0, 0, 0};
-  double diagonal = 0;
-  double weld = 0;  // metres
-  double plane = 0; // metres
-};
-
-Extent extent_of(const Mesh& mesh, const EmissiveOptions& options) {
-  Vec3d lower(1e300, 1e300, 1e300), upper(-1e300, -1e300, -1e300);
-  double magnitude = 0;
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      const Vec3d p = to_double(mesh.positions[corner]);
-      lower = Vec3d(std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z));
-      upper = Vec3d(std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z));
-      magnitude = std::max({magnitude, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    }
-  }
-  Extent extent;
-  extent.center = (lower + upper) * 0.5;
-  extent.diagonal = length(upper - lower);
-  // Single-precision coordinates are known to 6e-8 of their size, however small the mesh is.
-  const double rounding = 2.5e-7 * magnitude;
-  extent.weld = options.weld * extent.diagonal + rounding;
-  extent.plane = options.plane * extent.diagonal + rounding;
-  return extent;
-}
-
-// The mesh with equal vertices joined and relative to the centre, without triangles of no area.
-struct WeldedMesh {
-  std::vector<Vec3d> points;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> source; // triangle of the mesh
-  std::vector<Vec3d> normals;        // unit
-  std::vector<double> areas;
-};
-
-WeldedMesh weld(const Mesh& mesh, const Extent& extent) {
-  constexpr std::uint32_t k_none = 0xFFFFFFFF;
-  WeldedMesh welded;
-  Grid grid;
-  std::vector<std::uint32_t> joined(mesh.positions.size(), k_none);
-  const double cell_size = std::max(extent.weld, 1e-30);
-  const auto join = [&](std::uint32_t corner) {
-    if (joined[corner] != k_none) return joined[corner];
-    const Vec3d p = to_double(mesh.positions[corner]) - extent.center;
-    const Cell cell = {std::llround(p.x / cell_size), std::llround(p.y / cell_size),
-                       std::llround(p.z / cell_size), 0};
-    for_neighbours(cell, 3, [&](const Cell& neighbour) {
-      const auto found = grid.find(neighbour);
-      if (found == grid.end()) return;
-      for (const std::uint32_t known : found->second)
-        if (joined[corner] == k_none && length(welded.points[known] - p) <= extent.weld)
-          joined[corner] = known;
-    });
-    if (joined[corner] == k_none) {
-      joined[corner] = std::uint32_t(welded.points.size());
-      welded.points.push_back(p);
-      grid[cell].push_back(joined[corner]);
-    }
-    return joined[corner];
-  };
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
-    const Triangle corners = {join(t[0]), join(t[1]), join(t[2])};
-    const Vec3d a = welded.points[corners[0]];
-    const Vec3d n = cross(welded.points[corners[1]] - a, welded.points[corners[2]] - a);
-    const double doubled_area = length(n);
-    if (!(doubled_area > extent.weld * extent.weld)) continue;
-    welded.triangles.push_back(corners);
-    welded.source.push_back(std::uint32_t(i));
-    welded.normals.push_back(n / doubled_area);
-    welded.areas.push_back(0.5 * doubled_area);
-  }
-  return welded;
-}
 
 // Triangles of one plane, all counter-clockwise about the plane's normal.
 struct Plane {
@@ -344,79 +248,191 @@ light::PolygonLight light_of(const WeldedMesh& mesh, const Plane& plane, const E
   return light;
 }
 
+// Radiance over triangles of a welded mesh.
+class Emission {
+public:
+  Emission(const Mesh& mesh, const Material& material, const std::vector<Texture>& textures)
+      : mesh_(mesh), material_(material) {
+    const TextureRef& ref = material.emission_texture;
+    const auto& tex_coord = ref.tex_coord == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
+    if (ref.texture >= 0 && !tex_coord.empty()) texture_ = &textures[std::size_t(ref.texture)];
+  }
+
+  struct Mean {
+    Vec3f radiance;
+    bool is_uniform = true; ///< the texture has one colour there
+  };
+
+  Mean mean_over(const WeldedMesh& welded, std::span<const std::uint32_t> triangles) const {
+    if (!texture_) return {material_.emission, true};
+    TextureMean mean;
+    for (const std::uint32_t i : triangles)
+      add_samples(mesh_, material_.emission_texture, *texture_, welded.source[i], welded.areas[i],
+                  mean);
+    return {material_.emission * to_float(mean.sum / mean.weight),
+            !(mean.highest - mean.lowest > 0.01)};
+  }
+
+  // Makes the texture the picture of a light made of `triangles`; see place_emission_texture.
+  bool place_on(light::PolygonLight& light, const WeldedMesh& welded,
+                std::span<const std::uint32_t> triangles) const {
+    std::vector<std::uint32_t> sources;
+    for (const std::uint32_t i : triangles)
+      sources.push_back(welded.source[i]);
+    return texture_ &&
+           place_emission_texture(mesh_, material_.emission_texture, *texture_, sources, light);
+  }
+
+private:
+  const Mesh& mesh_;
+  const Material& material_;
+  const Texture* texture_ = nullptr;
+};
+
+bool is_dark(Vec3f radiance) { return !(radiance.x > 0) && !(radiance.y > 0) && !(radiance.z > 0); }
+
+// Moves a recognised light to where its mesh is.
+void move_by(light::EllipseLight& light, Vec3d offset) {
+  light.center = to_float(to_double(light.center) + offset);
+}
+void move_by(light::SphereLight& light, Vec3d offset) {
+  light.center = to_float(to_double(light.center) + offset);
+}
+void move_by(light::TubeLight& light, Vec3d offset) {
+  light.from = to_float(to_double(light.from) + offset);
+  light.to = to_float(to_double(light.to) + offset);
+}
+
+std::vector<light::EllipseLight>& list_of(light::Lights& lights, const light::EllipseLight&) {
+  return lights.ellipses;
+}
+std::vector<light::SphereLight>& list_of(light::Lights& lights, const light::SphereLight&) {
+  return lights.spheres;
+}
+std::vector<light::TubeLight>& list_of(light::Lights& lights, const light::TubeLight&) {
+  return lights.tubes;
+}
+
+// Adds `light` with its emission; false when it cannot be shaded.
+bool add_recognised(std::monostate, const Extent&, Vec3f, const Mesh&, bool, light::Lights&) {
+  return false;
+}
+template <class Light>
+bool add_recognised(Light light, const Extent& extent, Vec3f radiance, const Mesh& mesh,
+                    bool two_sided, light::Lights& lights) {
+  if (is_dark(radiance)) return true; // dark by texture
+  move_by(light, extent.center);
+  light.name = mesh.name;
+  light.radiance = radiance;
+  light.two_sided = two_sided && std::is_same_v<Light, light::EllipseLight>;
+  if (!light::validate(light).ok()) return false;
+  list_of(lights, light).push_back(std::move(light));
+  return true;
+}
+
+// Takes the islands that are round out of `welded` and adds them to `lights`.
+WeldedMesh take_round_parts(const WeldedMesh& welded, const Mesh& mesh, const Extent& extent,
+                            bool two_sided, const EmissiveOptions& options,
+                            const Emission& emission, EmissiveLights& result) {
+  std::vector<std::uint32_t> left;
+  for (const auto& triangles : islands_of(welded)) {
+    const Island island{welded, triangles, two_sided, options.shape_tolerance};
+    const RoundShape shape = recognise_shape(island, extent.plane);
+    const Emission::Mean mean =
+        shape.index() != 0 ? emission.mean_over(welded, triangles) : Emission::Mean{};
+    // A flat light with a picture keeps it as a polygon.
+    const bool is_pictured = !mean.is_uniform && std::holds_alternative<light::EllipseLight>(shape);
+    const bool is_light =
+        shape.index() != 0 && !is_pictured &&
+        std::visit(
+            [&](const auto& light) {
+              return add_recognised(light, extent, mean.radiance, mesh, two_sided, result.lights);
+            },
+            shape);
+    if (is_light) result.is_texture_averaged = result.is_texture_averaged || !mean.is_uniform;
+    if (!is_light) left.insert(left.end(), triangles.begin(), triangles.end());
+  }
+  std::sort(left.begin(), left.end());
+  return part_of(welded, left);
+}
+
 } // namespace
 
 EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
                                const std::vector<Texture>& textures,
                                const EmissiveOptions& options) {
   EmissiveLights result;
-  const Vec3f emission = material.emission;
-  const bool emits = emission.x > 0 || emission.y > 0 || emission.z > 0;
-  if (!emits || material.unlit || mesh.triangles.empty()) return result;
+  if (is_dark(material.emission) || material.unlit || mesh.triangles.empty()) return result;
 
-  const Extent extent = extent_of(mesh, options);
-  const WeldedMesh welded = weld(mesh, extent);
+  const Extent extent = extent_of(mesh, options.weld, options.plane);
+  WeldedMesh welded = weld(mesh, extent);
   result.triangles_without_area = mesh.triangles.size() - welded.triangles.size();
-  const TextureRef& ref = material.emission_texture;
-  const auto& tex_coord = ref.tex_coord == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
-  const bool is_textured = ref.texture >= 0 && !tex_coord.empty();
-  const std::vector<Plane> planes =
-      PlaneFinder(welded, extent, options, material.double_sided).find();
+  const bool two_sided = material.double_sided;
+  const Emission emission(mesh, material, textures);
+  if (options.recognise_shapes)
+    welded = take_round_parts(welded, mesh, extent, two_sided, options, emission, result);
+  const std::vector<Plane> planes = PlaneFinder(welded, extent, options, two_sided).find();
   for (const Plane& plane : planes) {
-    Vec3f radiance = emission;
-    std::vector<std::uint32_t> pictured; // triangles of a plane whose texture is not uniform
-    if (is_textured) {
-      const Texture& texture = textures[std::size_t(ref.texture)];
-      TextureMean mean;
-      for (const std::uint32_t member : plane.members)
-        add_samples(mesh, ref, texture, welded.source[member], welded.areas[member], mean);
-      radiance = emission * to_float(mean.sum / mean.weight);
-      if (mean.highest - mean.lowest > 0.01)
-        for (const std::uint32_t member : plane.members)
-          pictured.push_back(welded.source[member]);
-    }
-    if (!(radiance.x > 0) && !(radiance.y > 0) && !(radiance.z > 0)) continue; // dark by texture
+    const Emission::Mean mean = emission.mean_over(welded, plane.members);
+    if (is_dark(mean.radiance)) continue; // by texture
     light::PolygonLight light = light_of(welded, plane, extent);
     light.name = mesh.name;
-    light.radiance = radiance;
-    light.two_sided = material.double_sided;
-    if (!pictured.empty()) {
-      if (planes.size() <= k_max_pictures &&
-          place_emission_texture(mesh, ref, textures[std::size_t(ref.texture)], pictured, light))
-        light.radiance = emission;
+    light.radiance = mean.radiance;
+    light.two_sided = two_sided;
+    if (!mean.is_uniform) {
+      if (planes.size() <= k_max_pictures && emission.place_on(light, welded, plane.members))
+        light.radiance = material.emission;
       else
         result.is_texture_averaged = true;
     }
     if (light::validate(light).ok())
-      result.lights.push_back(std::move(light));
+      result.lights.polygons.push_back(std::move(light));
     else
       result.triangles_without_area += plane.triangles.size();
   }
   return result;
 }
 
-void add_emissive_lights(Scene& scene, Warnings& warnings) {
+std::vector<light::Lights> find_emissive_lights(Scene& scene, const EmissiveOptions& options,
+                                                Warnings& warnings) {
+  std::vector<light::Lights> lights;
   std::vector<int> shared_textures;
   for (const Mesh& mesh : scene.meshes) {
+    lights.emplace_back();
+    if (!mesh.emits_light) continue;
     EmissiveLights found =
-        emissive_lights(mesh, scene.materials[std::size_t(mesh.material)], scene.textures);
+        emissive_lights(mesh, scene.materials[std::size_t(mesh.material)], scene.textures, options);
     if (found.is_texture_averaged)
       warnings.add_for_mesh(mesh.name,
                             "the emission texture is averaged for the light that it gives "
                             "to others; the camera sees it in full");
     if (found.triangles_without_area != 0)
       warnings.add_for_mesh(mesh.name, "emissive triangles that are too small give no light");
-    if (found.lights.size() > k_many_lights)
+    if (found.lights.polygons.size() > k_many_lights)
       warnings.add_for_mesh(
-          mesh.name, fmt::format("the curved emissive surface makes {} polygon lights, which "
-                                 "takes long to render; fewer facets help",
-                                 found.lights.size()));
-    for (auto& light : found.lights) {
+          mesh.name,
+          fmt::format("the curved emissive surface makes {} polygon lights, which takes long to "
+                      "render; fewer facets help{}",
+                      found.lights.polygons.size(),
+                      options.recognise_shapes ? "" : ", or recognising round shapes"));
+    for (light::PolygonLight& light : found.lights.polygons)
       if (light.texture >= 0)
         light.texture = share_emission_texture(scene, light.texture, shared_textures);
-      scene.lights.polygons.push_back(std::move(light));
-    }
+    lights.back() = std::move(found.lights);
   }
+  return lights;
+}
+
+void append_lights(const light::Lights& from, light::Lights& to) {
+  const auto append = [](const auto& some, auto& all) {
+    all.insert(all.end(), some.begin(), some.end());
+  };
+  append(from.polygons, to.polygons);
+  append(from.ellipses, to.ellipses);
+  append(from.spheres, to.spheres);
+  append(from.tubes, to.tubes);
+  append(from.lines, to.lines);
+  append(from.punctual, to.punctual);
 }
 
 } // namespace openltc::scene

@@ -33,25 +33,6 @@ std::string_view as_text(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-void check_json_depth(std::string_view json) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-      continue;
-    }
-    if (c == '"') in_string = true;
-    if (c == '{' || c == '[') ++depth;
-    if (c == '}' || c == ']') --depth;
-    if (depth > k_max_json_depth)
-      fail("JSON", fmt::format("nested deeper than {} levels; this is not a usable glTF file",
-                               k_max_json_depth));
-  }
-}
-
 Container split_glb(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < k_header_size + k_chunk_header_size)
     fail("GLB header", "the file is cut short; export or copy it again");
@@ -105,11 +86,30 @@ Container split_text(std::span<const std::uint8_t> bytes) {
 
 } // namespace
 
+void check_json_depth(std::string_view json, const std::string& field) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+      continue;
+    }
+    if (c == '"') in_string = true;
+    if (c == '{' || c == '[') ++depth;
+    if (c == '}' || c == ']') --depth;
+    if (depth > k_max_json_depth)
+      fail(field, fmt::format("nested deeper than {} levels; this is not a usable glTF file",
+                              k_max_json_depth));
+  }
+}
+
 Container split_container(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) fail("", "the file is empty; give a .gltf or .glb file");
   const bool is_glb = bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
   const Container container = is_glb ? split_glb(bytes) : split_text(bytes);
-  check_json_depth(container.json);
+  check_json_depth(container.json, "JSON");
   return container;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace openltc::scene::gltf {
@@ -21,5 +22,8 @@ struct Container {
 /// Tells .glb from .gltf by content and finds the parts. Throws Failure when the bytes are neither,
 /// when a .glb is cut short, or when its JSON nests deeper than a parser may be trusted with.
 Container split_container(std::span<const std::uint8_t> bytes);
+
+/// Throws Failure that names `field` when `json` nests deeper than that.
+void check_json_depth(std::string_view json, const std::string& field);
 
 } // namespace openltc::scene::gltf

@@ -163,6 +163,15 @@ void list_images(const json& root, Document& document) {
          image.value("mimeType", std::string()), image.value("bufferView", -1)});
 }
 
+void read_extras(const json& root, Document& document) {
+  for (const json& node : array_of(root, "nodes")) {
+    const std::string label = node_label(document.extras.size(), node.value("name", ""));
+    const auto extras = node.find("extras");
+    document.extras.push_back(extras == node.end() ? NodeExtras{}
+                                                   : read_node_extras(*extras, label, document));
+  }
+}
+
 // Takes away what tinygltf must not see or need not read.
 void reduce_for_tinygltf(json& root) {
   for (const char* name : {"buffers", "images", "animations", "skins", "extras"})
@@ -216,6 +225,11 @@ void parse_with_tinygltf(const json& root, tinygltf::Model& model) {
 
 } // namespace
 
+std::string node_label(std::size_t index, const std::string& name) {
+  return name.empty() ? fmt::format("nodes[{}]", index)
+                      : fmt::format("nodes[{}] \"{}\"", index, name.substr(0, 60));
+}
+
 Document::Document() : model(std::make_unique<tinygltf::Model>()) {}
 Document::~Document() = default;
 
@@ -232,6 +246,7 @@ void read_document(const Container& container, const std::string& base_dir, Docu
   const auto buffers = load_buffers(root, container, document);
   load_views(root, buffers, document);
   list_images(root, document);
+  read_extras(root, document);
   reduce_for_tinygltf(root);
   const int placeholder = add_placeholder_view(root);
   parse_with_tinygltf(root, *document.model);

@@ -6,10 +6,12 @@
 #pragma once
 
 #include "openltc/scene/gltf_container.h"
+#include "openltc/scene/gltf_extras.h"
 #include "openltc/scene/warnings.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,6 +22,9 @@ class Model;
 }
 
 namespace openltc::scene::gltf {
+
+/// How messages call a node: its place in the file, and its name if it has one.
+std::string node_label(std::size_t index, const std::string& name);
 
 /// The bytes of a buffer view, uncompressed.
 struct View {
@@ -47,6 +52,8 @@ struct Document {
   std::string base_dir;
   std::vector<View> views; ///< as many as model->bufferViews
   std::vector<ImageSource> images;
+  std::vector<NodeExtras> extras;            ///< of each node
+  std::map<std::string, int> light_textures; ///< by reference: index into Lights::textures
   std::size_t skin_count = 0;
   std::size_t animation_count = 0;
   Warnings warnings;

@@ -5,10 +5,12 @@
 
 #include "openltc/scene/gltf_light.h"
 
+#include "openltc/light/curved.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/shapes.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_placement.h"
 
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
@@ -25,42 +27,6 @@ namespace openltc::scene::gltf {
 namespace {
 
 constexpr double k_pi = std::numbers::pi;
-
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
-struct Frame {
-  Vec3d right, up, back; // orthonormal, x y z of the node
-};
-
-// The node's rotation, without scale, shear or mirroring.
-Frame rotation_of(const Transform& to_world, const std::string& what, Document& document) {
-  const Vec3d back = to_world.column[2];
-  const Vec3d up_hint = to_world.column[1];
-  const double back_length = length(back);
-  Vec3d right = cross(up_hint, back);
-  const double right_length = length(right);
-  if (!(back_length > 0) || !(right_length > 0) || !std::isfinite(right_length)) {
-    document.warnings.add(
-        fmt::format("{}: its node is scaled to nothing, so that it has no direction; it is "
-                    "taken as not rotated",
-                    what));
-    return {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)};
-  }
-  right = right / right_length;
-  const Vec3d unit_back = back / back_length;
-  return {right, cross(unit_back, right), unit_back};
-}
-
-Vec3f position_of(const Transform& to_world, const std::string& what) {
-  const Vec3f position = to_float(to_world.column[3]);
-  if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
-    fail(what, "its node lies outside the range of numbers; export the file again");
-  return position;
-}
-
-std::string first_of(const std::string& a, const std::string& b, const std::string& c) {
-  return !a.empty() ? a : !b.empty() ? b : c;
-}
 
 double not_negative(double value, const std::string& field, Document& document) {
   if (value >= 0) return value;
@@ -83,9 +49,9 @@ light::PunctualLight read_punctual_light(Document& document, int index, const Tr
   to.type = from.type == "spot"          ? light::PunctualType::spot
             : from.type == "directional" ? light::PunctualType::directional
                                          : light::PunctualType::point;
-  to.position = position_of(to_world, field);
-  if (to.type != light::PunctualType::point)
-    to.direction = to_float(-rotation_of(to_world, field, document).back);
+  const Placement placement = placement_of(to_world, field, document);
+  to.position = to_float(placement.position);
+  if (to.type != light::PunctualType::point) to.direction = to_float(-placement.back);
   const double intensity = not_negative(from.intensity, field + ".intensity", document);
   double color[3] = {1, 1, 1};
   for (std::size_t c = 0; c < 3 && c < from.color.size(); ++c)
@@ -110,16 +76,25 @@ light::PunctualLight read_punctual_light(Document& document, int index, const Tr
   return to;
 }
 
-light::PolygonLight read_area_light(Document& document, int index, const Transform& to_world,
-                                    const std::string& node_name) {
+void read_area_light(Document& document, int index, const Transform& to_world,
+                     const std::string& node_name, double surface_deviation,
+                     light::Lights& lights) {
   const std::string field = fmt::format("extensions.EXT_lights_area.lights[{}]", index);
+  const auto leave_out = [&](const std::string& member_name, const std::string& what) {
+    document.warnings.add(
+        fmt::format("{}.{}: {}; the light is left out", field, member_name, what));
+  };
   const tinygltf::Value& from =
       document.model->extensions.at("EXT_lights_area").Get("lights").Get(index);
   const double size = member(from, "size", 1);
-  if (!(size > 0)) fail(field + ".size", fmt::format("{} must be greater than 0", size));
+  if (!(size > 0)) return leave_out("size", fmt::format("{} must be greater than 0", size));
   const double intensity = member(from, "intensity", 1000);
   if (!(intensity >= 0))
-    fail(field + ".intensity", fmt::format("{} must not be negative", intensity));
+    return leave_out("intensity", fmt::format("{} must not be negative", intensity));
+  const bool is_rect = from.Get("type").Get<std::string>() == "rect";
+  const double aspect = is_rect && from.Has("rect") ? member(from.Get("rect"), "aspect", 1) : 1;
+  if (!(aspect > 0))
+    return leave_out("rect.aspect", fmt::format("{} must be greater than 0", aspect));
   double color[3] = {1, 1, 1};
   if (from.Has("color"))
     for (int c = 0; c < 3; ++c)
@@ -131,30 +106,27 @@ light::PolygonLight read_area_light(Document& document, int index, const Transfo
 
   // Scaled by the largest component of the world scale; emits along -Z, so that its own right-hand
   // frame has x turned over.
-  const double scale = std::max(
-      {length(to_world.column[0]), length(to_world.column[1]), length(to_world.column[2])});
-  const Frame frame = rotation_of(to_world, field, document);
-  const Vec3f center = position_of(to_world, field);
-  const std::string type = from.Get("type").Get<std::string>();
-  light::PolygonLight to;
-  if (type == "rect") {
-    const double aspect = from.Has("rect") ? member(from.Get("rect"), "aspect", 1) : 1;
-    if (!(aspect > 0))
-      fail(field + ".rect.aspect", fmt::format("{} must be greater than 0", aspect));
-    const double half_height = 0.5 * size * scale;
-    to = light::rectangle(center, to_float(-frame.right * (half_height * aspect)),
-                          to_float(frame.up * half_height), radiance);
-  } else {
-    to = light::disk(center, to_float(-frame.right), to_float(frame.up), float(0.5 * size * scale),
-                     radiance);
-  }
+  const Placement placement = placement_of(to_world, field, document);
+  const Vec3f center = to_float(placement.position);
+  const double half = 0.5 * size * placement.scale;
+  const Vec3f half_x = to_float(-placement.right * (half * aspect));
+  const Vec3f half_y = to_float(placement.up * half);
   const std::string own_name = from.Has("name") ? from.Get("name").Get<std::string>() : "";
-  to.name = first_of(node_name, own_name, field);
-  to.normal = to_float(-frame.back);
-  if (const Status status = light::validate(to); !status.ok())
-    fail(field + ".size", fmt::format("it gives no usable light ({}); check its node's scale",
-                                      status.error().message));
-  return to;
+  const auto finish = [&](auto light, auto& list) {
+    light.name = first_of(node_name, own_name, field);
+    light.surface_deviation = float(surface_deviation);
+    if (const Status status = light::validate(light); !status.ok())
+      return leave_out("size", fmt::format("it gives no usable light ({}); check its node's scale",
+                                           status.error().message));
+    list.push_back(std::move(light));
+  };
+  if (is_rect) {
+    light::PolygonLight rectangle = light::rectangle(center, half_x, half_y, radiance);
+    rectangle.normal = to_float(-placement.back);
+    finish(std::move(rectangle), lights.polygons);
+  } else {
+    finish(light::ellipse(center, half_x, half_y, radiance), lights.ellipses);
+  }
 }
 
 Camera read_camera(Document& document, int index, const Transform& to_world,
@@ -163,11 +135,11 @@ Camera read_camera(Document& document, int index, const Transform& to_world,
   const std::string field = fmt::format("cameras[{}]", index);
   Camera to;
   to.name = first_of(node_name, from.name, field);
-  to.position = position_of(to_world, field);
-  const Frame frame = rotation_of(to_world, field, document);
-  to.right = to_float(frame.right);
-  to.up = to_float(frame.up);
-  to.forward = to_float(-frame.back);
+  const Placement placement = placement_of(to_world, field, document);
+  to.position = to_float(placement.position);
+  to.right = to_float(placement.right);
+  to.up = to_float(placement.up);
+  to.forward = to_float(-placement.back);
   if (from.type == "orthographic") {
     const auto& ortho = from.orthographic;
     to.projection = Projection::orthographic;

@@ -16,10 +16,11 @@ struct Document;
 light::PunctualLight read_punctual_light(Document& document, int index, const Transform& to_world,
                                          const std::string& node_name);
 
-/// extensions.EXT_lights_area.lights[index], placed by `to_world`. Throws Failure for a light
-/// without size.
-light::PolygonLight read_area_light(Document& document, int index, const Transform& to_world,
-                                    const std::string& node_name);
+/// Adds extensions.EXT_lights_area.lights[index], placed by `to_world`, to `lights`: a rectangle or
+/// a disk. One without a usable size is left out with a warning. `surface_deviation` in metres is
+/// that of the light.
+void read_area_light(Document& document, int index, const Transform& to_world,
+                     const std::string& node_name, double surface_deviation, light::Lights& lights);
 
 /// cameras[index], placed by `to_world`. Throws Failure for values that give no picture.
 Camera read_camera(Document& document, int index, const Transform& to_world,

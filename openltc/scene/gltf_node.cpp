@@ -6,10 +6,12 @@
 #include "openltc/scene/gltf_node.h"
 
 #include "openltc/scene/gltf_document.h"
+#include "openltc/scene/gltf_extras_light.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_light.h"
 #include "openltc/scene/gltf_material.h"
 #include "openltc/scene/gltf_primitive.h"
+#include "openltc/scene/light_surface.h"
 #include "openltc/scene/normals.h"
 #include "openltc/scene/transform.h"
 
@@ -22,6 +24,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
+#include <utility>
 
 namespace openltc::scene::gltf {
 
@@ -107,9 +111,10 @@ void apply_transform(Mesh& mesh, const Transform& to_world, const std::string& f
 
 class Walker {
 public:
-  Walker(Document& document, Scene& scene)
-      : document_(document), model_(*document.model), scene_(scene),
+  Walker(Document& document, Imported& imported)
+      : document_(document), model_(*document.model), imported_(imported), scene_(imported.scene),
         visited_(model_.nodes.size(), false), uses_(model_.meshes.size(), 0) {
+    imported_.to_world.resize(model_.nodes.size());
     for (const auto& node : model_.nodes)
       if (node.mesh >= 0) ++uses_[std::size_t(node.mesh)];
   }
@@ -137,7 +142,8 @@ public:
         fail(field, fmt::format("nodes are nested deeper than {} levels; flatten the hierarchy",
                                 k_max_depth));
       const Transform to_world = compose(next.parent, local_transform(node, field, document_));
-      place(node, field, to_world);
+      imported_.to_world[std::size_t(next.node)] = to_world;
+      place(next.node, field, to_world);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         stack.push_back({*child, next.depth + 1, to_world});
     }
@@ -189,8 +195,15 @@ private:
     return roots;
   }
 
-  void place(const tinygltf::Node& node, const std::string& field, const Transform& to_world) {
+  void place(int index, const std::string& field, const Transform& to_world) {
+    const tinygltf::Node& node = model_.nodes[std::size_t(index)];
+    const NodeExtras& extras = document_.extras[std::size_t(index)];
+    const std::size_t first_mesh = scene_.meshes.size();
     if (node.mesh >= 0) place_mesh(node, field, to_world);
+    for (std::size_t i = first_mesh; i < scene_.meshes.size(); ++i) {
+      scene_.meshes[i].node = index;
+      scene_.meshes[i].emits_light = extras.emits_light;
+    }
     if (node.camera >= 0)
       scene_.cameras.push_back(read_camera(document_, node.camera, to_world, node.name));
     const auto punctual = node.extensions.find("KHR_lights_punctual");
@@ -199,8 +212,78 @@ private:
           document_, punctual->second.Get("light").GetNumberAsInt(), to_world, node.name));
     const auto area = node.extensions.find("EXT_lights_area");
     if (area != node.extensions.end())
-      scene_.lights.polygons.push_back(read_area_light(
-          document_, area->second.Get("light").GetNumberAsInt(), to_world, node.name));
+      read_area_light(document_, area->second.Get("light").GetNumberAsInt(), to_world, node.name,
+                      extras.surface_deviation, scene_.lights);
+    if (extras.light) place_extras_light(index, *extras.light, to_world, first_mesh);
+  }
+
+  // The light that the node's extras describe. The node's mesh, if there is one, shows it: its own
+  // emission makes no lights, and shadow rays stop before it.
+  void place_extras_light(int index, const nlohmann::json& properties, const Transform& to_world,
+                          std::size_t first_mesh) {
+    const std::string& name = model_.nodes[std::size_t(index)].name;
+    const std::string label = node_label(std::size_t(index), name);
+    NodeLight found;
+    found.node = index;
+    std::swap(found.light.textures, scene_.lights.textures); // their indices go on
+    try {
+      read_extras_light(properties, label, name.empty() ? label : name, to_world, document_,
+                        found.light);
+    } catch (const Failure& failure) {
+      document_.warnings.add(failure.message + "; the light is left out");
+    }
+    std::swap(found.light.textures, scene_.lights.textures);
+    if (found.light.empty()) return;
+    if (first_mesh < scene_.meshes.size()) {
+      attach_mesh(label, found.light, std::span(scene_.meshes).subspan(first_mesh));
+    }
+    append_lights(found.light, scene_.lights);
+    imported_.extras_lights.push_back(std::move(found));
+  }
+
+  void attach_mesh(const std::string& label, light::Lights& light, std::span<Mesh> meshes) {
+    // Where some of the mesh's surfaces glow, those are the lamp, and the others its housing.
+    const auto glows = [&](const Mesh& mesh) {
+      const Vec3f e = scene_.materials[std::size_t(mesh.material)].emission;
+      return e.x > 0 || e.y > 0 || e.z > 0;
+    };
+    const bool any_glows = std::any_of(meshes.begin(), meshes.end(), glows);
+    for (Mesh& mesh : meshes)
+      mesh.emits_light = false;
+    if (!light.punctual.empty()) {
+      if (light.punctual[0].type != light::PunctualType::directional)
+        document_.warnings.add(label + ": the light has no extent, so that the node's mesh shadows "
+                                       "it; give it the type of the mesh's shape");
+      return;
+    }
+    light.for_each_area_light([&](const auto& area_light) {
+      double deviation = 0;
+      for (const Mesh& mesh : meshes) {
+        if (any_glows && !glows(mesh)) continue;
+        for (const Vec3f p : mesh.positions)
+          deviation = std::max(deviation, distance_outside(area_light, p));
+      }
+      if (deviation > reach_of(area_light)) {
+        document_.warnings.add(
+            fmt::format("{}: its mesh reaches {:.3g} m beyond the light, so that it is not taken "
+                        "for the light's surface and may shadow it",
+                        label, deviation));
+        deviation = 0;
+      }
+      set_surface_deviation(light, float(deviation));
+    });
+  }
+
+  static void set_surface_deviation(light::Lights& lights, float deviation) {
+    const auto set = [&](auto& list) {
+      for (auto& light : list)
+        light.surface_deviation = deviation;
+    };
+    set(lights.polygons);
+    set(lights.ellipses);
+    set(lights.spheres);
+    set(lights.tubes);
+    set(lights.lines);
   }
 
   void place_mesh(const tinygltf::Node& node, const std::string& field, const Transform& to_world) {
@@ -258,6 +341,7 @@ private:
 
   Document& document_;
   const tinygltf::Model& model_;
+  Imported& imported_;
   Scene& scene_;
   std::vector<bool> visited_;
   std::vector<std::size_t> uses_; // of each mesh by nodes
@@ -269,6 +353,6 @@ private:
 
 } // namespace
 
-void read_nodes(Document& document, Scene& scene) { Walker(document, scene).walk(); }
+void read_nodes(Document& document, Imported& imported) { Walker(document, imported).walk(); }
 
 } // namespace openltc::scene::gltf

@@ -5,15 +5,15 @@
 
 #pragma once
 
-#include "openltc/scene/scene.h"
+#include "openltc/scene/gltf_import.h"
 
 namespace openltc::scene::gltf {
 
 struct Document;
 
-/// Walks the file's default scene (else its first one, else all root nodes) and fills scene.meshes,
-/// scene.cameras and the lights that nodes carry. Throws Failure, also for cycles and for nodes
-/// with several parents.
-void read_nodes(Document& document, Scene& scene);
+/// Walks the file's default scene (else its first one, else all root nodes) and fills the scene's
+/// meshes, cameras and the lights that nodes carry, extras_lights and to_world. Throws Failure,
+/// also for cycles and for nodes with several parents.
+void read_nodes(Document& document, Imported& imported);
 
 } // namespace openltc::scene::gltf

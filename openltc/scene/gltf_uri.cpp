@@ -99,15 +99,8 @@ std::vector<std::uint8_t> read_file(const std::string& path, const std::string& 
   return bytes;
 }
 
-std::vector<std::uint8_t> read_uri(const std::string& uri, const std::string& base_dir,
-                                   const std::string& field) {
-  if (uri.rfind("data:", 0) == 0) {
-    const std::size_t comma = uri.find(',');
-    if (comma == std::string::npos) fail(field, "the data URI has no data; export the file again");
-    if (uri.substr(0, comma).find(";base64") == std::string::npos)
-      fail(field, "the data URI is not base64; export the file again");
-    return decode_base64(std::string_view(uri).substr(comma + 1), field);
-  }
+std::string resolve_uri(const std::string& uri, const std::string& base_dir,
+                        const std::string& field) {
   if (uri.empty()) fail(field, "the reference is empty; export the file again");
   if (has_scheme(uri))
     fail(field,
@@ -123,7 +116,19 @@ std::vector<std::uint8_t> read_uri(const std::string& uri, const std::string& ba
     fail(field, fmt::format("the file {} cannot be looked up when loading from memory without a "
                             "folder; embed it or give the folder",
                             shown(uri)));
-  return read_file((std::filesystem::path(base_dir) / path).string(), field);
+  return (std::filesystem::path(base_dir) / path).string();
+}
+
+std::vector<std::uint8_t> read_uri(const std::string& uri, const std::string& base_dir,
+                                   const std::string& field) {
+  if (uri.rfind("data:", 0) == 0) {
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string::npos) fail(field, "the data URI has no data; export the file again");
+    if (uri.substr(0, comma).find(";base64") == std::string::npos)
+      fail(field, "the data URI is not base64; export the file again");
+    return decode_base64(std::string_view(uri).substr(comma + 1), field);
+  }
+  return read_file(resolve_uri(uri, base_dir, field), field);
 }
 
 } // namespace openltc::scene::gltf

@@ -11,6 +11,11 @@
 
 namespace openltc::scene::gltf {
 
+/// The path of a file that `uri` refers to, relative to `base_dir`. Throws Failure that names
+/// `field` when it is absolute or a network address, or when `base_dir` is empty.
+std::string resolve_uri(const std::string& uri, const std::string& base_dir,
+                        const std::string& field);
+
 /// The bytes behind `uri`: a base64 data URI or a file relative to `base_dir`. Throws Failure that
 /// names `field` when it is absolute, a network address, missing, or broken, or when `base_dir` is
 /// empty and a file is asked for.

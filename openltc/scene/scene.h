@@ -78,6 +78,9 @@ struct Mesh {
   std::vector<Vec2f> tex_coord_0;
   std::vector<Vec2f> tex_coord_1;
   std::vector<Vec4f> colors; ///< linear
+  int node = -1;             ///< of the glTF file that shows it
+  /// Whether its emission makes lights; not where its node carries the light that stands for it.
+  bool emits_light = true;
 };
 
 enum class Projection { perspective, orthographic };

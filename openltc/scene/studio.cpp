@@ -10,6 +10,7 @@
 
 #include "openltc/scene/studio.h"
 
+#include "openltc/light/curved.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/shapes.h"
 
@@ -45,6 +46,67 @@ double irradiance_per_radiance(double a, double b, double d) {
 }
 
 Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
+Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
+
+double luminance(Vec3f rgb) {
+  return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
+}
+
+// Illuminance that a light gives at `p`, facing it, when its area is taken for a point.
+
+// `offset` leads from the light to the point; nearer than the light's own size it is no point.
+double illuminance_of_flat(const light::Emitter& light, Vec3d normal, Vec3d offset, double area) {
+  const double distance2 = std::max(dot(offset, offset), area);
+  const double cosine = dot(offset, normal) / std::sqrt(distance2);
+  const double facing = light.two_sided ? std::abs(cosine) : std::max(cosine, 0.0);
+  return luminance(light.radiance) * area * std::pow(facing, double(light.cosine_power) + 1) /
+         distance2;
+}
+
+double illuminance_at(const light::PolygonLight& light, Vec3d p) {
+  if (light.vertices.empty()) return 0;
+  return illuminance_of_flat(light, to_double(light.normal), p - to_double(light.vertices[0]),
+                             light::area(light));
+}
+
+double illuminance_at(const light::EllipseLight& light, Vec3d p) {
+  return illuminance_of_flat(light,
+                             normalize(cross(to_double(light.half_u), to_double(light.half_v))),
+                             p - to_double(light.center), light::area(light));
+}
+
+double illuminance_at(const light::SphereLight& light, Vec3d p) {
+  const Vec3d offset = p - to_double(light.center);
+  const double radius2 = double(light.radius) * double(light.radius);
+  return luminance(light.radiance) * std::numbers::pi * radius2 /
+         std::max(dot(offset, offset), radius2);
+}
+
+// A tube seen across, without its ends.
+double illuminance_of_line(Vec3d from, Vec3d to, double candela_per_metre, Vec3d p) {
+  const double l = length(to - from);
+  const Vec3d offset = p - (from + to) * 0.5;
+  const double distance2 = std::max(dot(offset, offset), l * l / 4);
+  const double along = dot(offset, (to - from) / l);
+  return candela_per_metre * l * std::sqrt(std::max(1 - along * along / distance2, 0.0)) /
+         distance2;
+}
+
+double illuminance_at(const light::TubeLight& light, Vec3d p) {
+  return illuminance_of_line(to_double(light.from), to_double(light.to),
+                             luminance(light.radiance) * 2 * double(light.radius), p);
+}
+
+double illuminance_at(const light::LineLight& light, Vec3d p) {
+  return illuminance_of_line(to_double(light.from), to_double(light.to),
+                             luminance(light.intensity_per_metre), p);
+}
+
+double illuminance_at(const light::PunctualLight& light, Vec3d p) {
+  const Vec3d offset = p - to_double(light.position);
+  const bool far = light.type == light::PunctualType::directional;
+  return luminance(light.intensity) / (far ? 1.0 : std::max(dot(offset, offset), 1e-6));
+}
 
 } // namespace
 
@@ -85,26 +147,12 @@ light::Lights studio_lights(const Bounds& bounds, const Camera& camera, double w
 }
 
 double white_level_nits(const light::Lights& lights, const Bounds& bounds) {
-  const Vec3f center = (bounds.lower + bounds.upper) * 0.5f;
-  const auto luminance = [](Vec3f rgb) {
-    return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
-  };
+  const Vec3d center = (to_double(bounds.lower) + to_double(bounds.upper)) * 0.5;
   double brightest = 0;
-  for (const light::PolygonLight& light : lights.polygons) {
-    if (light.vertices.empty()) continue;
-    const Vec3f d = center - light.vertices[0];
-    const double distance2 = std::max(double(dot(d, d)), light::area(light));
-    const double cosine = double(dot(d, light.normal)) / std::sqrt(distance2);
-    const double facing = light.two_sided ? std::abs(cosine) : std::max(cosine, 0.0);
-    brightest =
-        std::max(brightest, luminance(light.radiance) * light::area(light) * facing / distance2);
-  }
-  for (const light::PunctualLight& light : lights.punctual) {
-    const Vec3f d = center - light.position;
-    const bool far = light.type == light::PunctualType::directional;
-    const double distance2 = far ? 1.0 : std::max(double(dot(d, d)), 1e-6);
-    brightest = std::max(brightest, luminance(light.intensity) / distance2);
-  }
+  lights.for_each_area_light(
+      [&](const auto& light) { brightest = std::max(brightest, illuminance_at(light, center)); });
+  for (const light::PunctualLight& light : lights.punctual)
+    brightest = std::max(brightest, illuminance_at(light, center));
   return brightest / std::numbers::pi;
 }
 

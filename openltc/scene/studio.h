@@ -20,7 +20,7 @@ namespace openltc::scene {
 light::Lights studio_lights(const Bounds& bounds, const Camera& camera, double white_nits = 1.0);
 
 /// How bright the lights of a scene make a white, matte card in its middle that faces each of them:
-/// the largest such luminance in nits. Shadows are ignored, polygons taken for points.
+/// the largest such luminance in nits. Shadows are ignored, area lights taken for points.
 double white_level_nits(const light::Lights& lights, const Bounds& bounds);
 
 } // namespace openltc::scene

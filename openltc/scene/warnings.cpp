@@ -25,7 +25,10 @@ std::string line_of(const std::vector<std::string>& meshes, const std::string& w
 
 } // namespace
 
-void Warnings::add(const std::string& message) {
+void Warnings::add(const std::string& text) {
+  std::string message = text; // names may hold anything, but a warning is one line
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
   for (const Entry& entry : entries_)
     if (entry.meshes.empty() && entry.what == message) return;
   entries_.push_back({message, {}});

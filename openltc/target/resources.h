@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What the dialect's resource handles, LobeTable, LobePolynomial, Polygon, Profile and
-// EmissionTexture, are in C++: views of plain arrays, the same for every number type. The owner of the
-// arrays outlives the views.
+// EmissionTexture, are in C++: views of plain arrays, the same for every number type. The owner of
+// the arrays outlives the views.
 
 #pragma once
 
@@ -38,7 +38,11 @@ struct PolygonView {
   float origin[3] = {0, 0, 0}; ///< a point of the plane, world space
   float axis_u[3] = {1, 0, 0}; ///< orthonormal with axis_v and normal
   float axis_v[3] = {0, 1, 0};
-  float normal[3] = {0, 0, 1}; ///< towards the emitting side
+  float normal[3] = {0, 0, 1};   ///< towards the emitting side
+  float centroid[3] = {0, 0, 0}; ///< of the area, world space
+  float spread_u[3] = {0, 0, 0}; ///< see light::PolygonMoments, world space
+  float spread_v[3] = {0, 0, 0};
+  float radius = 0; ///< metres from the centroid to the farthest point
 };
 
 /// View of a luminous intensity by direction; see shade/profile.glsl.

@@ -192,3 +192,41 @@ TEST_CASE("convert_refuses_what_it_cannot_do_and_leaves_old_files") {
   CHECK(fails_naming(run_tool({"inspect", folder.file("cut_1.ktx2")}), "cut_1.ktx2"));
   CHECK(bytes_of(folder.file("out_1.dds")) == first);
 }
+
+TEST_CASE("convert_of_a_scene_writes_its_lights_and_names_those_it_cannot") {
+  const TemporaryFolder folder;
+  GltfBuilder scene = lit_floor(100);
+  const auto add = [&](const char* name, const json& light) {
+    scene.root["scenes"][0]["nodes"].push_back(
+        scene.add("nodes", {{"name", name}, {"extras", {{"openltc_light", light}}}}));
+  };
+  add("Panel", {{"type", "rect"}, {"width", 2}, {"height", 1}, {"flux_lumens", 300}});
+  add("Bulb", {{"type", "sphere"}, {"radius", 0.1}, {"luminance_nits", 30}});
+  const std::string in = folder.file("in.gltf"), out = folder.file("out.glb");
+  write_scene(in, scene);
+  const Run run = run_tool({"convert", in, out});
+  CHECK(run.exit_code == 0);
+  CHECK(run.out.empty());
+  CHECK(contains(run.err, "\"Bulb\": a sphere"));
+  CHECK(contains(run.err, "wrote " + out + ", 2 lights"));
+  const json before = inspect(in)["lights"], after = inspect(out)["lights"];
+  REQUIRE(before.size() == 3);
+  REQUIRE(after.size() == 3);
+  const auto lumens = [](const json& lights) {
+    double sum = 0;
+    for (const json& light : lights)
+      sum += light["flux_lumens"].get<double>();
+    return sum;
+  };
+  CHECK(lumens(after) == doctest::Approx(lumens(before)));
+  const Run again = run_tool({"convert", out, folder.file("again.glb"), "--quiet"});
+  CHECK(again.exit_code == 0);
+  CHECK(again.err.empty());
+  CHECK(inspect(folder.file("again.glb"))["lights"] == after); // nothing left to do
+  CHECK(bytes_of(folder.file("again.glb")) == bytes_of(out));
+
+  CHECK(fails_naming(run_tool({"convert", in, folder.file("x.gltf")}), ".glb"));
+  CHECK(fails_naming(run_tool({"convert", in, out, "--layout", "unity"}), "holds a scene"));
+  CHECK(fails_naming(run_tool({"convert", in, folder.file("no/x.glb")}), "no/x"));
+  CHECK(fails_naming(run_tool({"convert", folder.file("no.glb"), out}), "no.glb"));
+}

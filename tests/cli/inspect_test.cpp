@@ -132,7 +132,7 @@ TEST_CASE("inspect_of_a_scene_gives_geometry_cameras_and_photometry") {
     return {};
   };
   const double pi = std::numbers::pi;
-  const json lamp = light("polygon", "lamp"), disk = light("polygon", "disk");
+  const json lamp = light("polygon", "lamp"), disk = light("disk", "disk");
   CHECK(double(lamp["luminance_nits"]) == doctest::Approx(100));
   CHECK(double(lamp["area_m2"]) == doctest::Approx(1));
   CHECK(double(lamp["size_m"][0]) == doctest::Approx(1));
@@ -150,6 +150,37 @@ TEST_CASE("inspect_of_a_scene_gives_geometry_cameras_and_photometry") {
   const Run text = run_tool({"inspect", folder.file("x.gltf")});
   CHECK(text.exit_code == 0);
   for (const char* word : {"4 triangles", "1 \"above\"", "nits", "lm", "cd", "lux", "VENDOR_paint"})
+    CHECK(contains(text.out, word));
+}
+
+TEST_CASE("inspect_lists_every_shape_with_its_size_and_photometry") {
+  const TemporaryFolder folder;
+  GltfBuilder scene = lit_floor(0);
+  const json lights[] = {
+      {{"type", "rect"}, {"width", 2}, {"height", 1}, {"flux_lumens", 10}},
+      {{"type", "disk"}, {"radius", 0.5}, {"flux_lumens", 10}},
+      {{"type", "ellipse"}, {"radius_x", 0.5}, {"radius_y", 1}, {"flux_lumens", 10}},
+      {{"type", "sphere"}, {"radius", 0.5}, {"flux_lumens", 10}, {"cosine_power", 2}},
+      {{"type", "tube"}, {"radius", 0.5}, {"length", 2}, {"flux_lumens", 10}, {"caps", "flat"}},
+      {{"type", "line"}, {"length", 2}, {"flux_lumens", 10}},
+      {{"type", "point"}, {"flux_lumens", 10}},
+      {{"type", "spot"}, {"flux_lumens", 10}, {"inner_cone_degrees", 10}},
+  };
+  for (const json& light : lights)
+    scene.root["scenes"][0]["nodes"].push_back(
+        scene.add("nodes", {{"name", light["type"]}, {"extras", {{"openltc_light", light}}}}));
+  write_scene(folder.file("x.gltf"), scene);
+  const json values = inspect(folder.file("x.gltf"));
+  CHECK(values["warnings"].empty());
+  REQUIRE(values["lights"].size() == 8);
+  for (const json& light : values["lights"]) {
+    CAPTURE(light.dump());
+    CHECK(light["name"] == (light["type"] == "polygon" ? "rect" : light["type"]));
+    CHECK(double(light["flux_lumens"]) == doctest::Approx(10));
+  }
+  const Run text = run_tool({"inspect", folder.file("x.gltf")});
+  for (const char* word : {"2 x 1 m", "disk, 1 m across", "ellipse, 1 x 2 m", "sphere, 1 m across",
+                           "tube, 2 m long, 1 m across, flat ends", "cos^2", "cd/m", "10 lm"})
     CHECK(contains(text.out, word));
 }
 

@@ -193,7 +193,7 @@ TEST_CASE("json_says_what_was_done_and_how_long_it_took") {
   CHECK(values["samples"] == 2);
   CHECK(values["shadow_samples"] == 2);
   CHECK(values["integrator"] == "ltc");
-  CHECK(values["polygon_lights"] == 4);
+  CHECK(values["area_lights"] == 4);
   CHECK(values["punctual_lights"] == 1);
   CHECK(double(values["ev100"]) == doctest::Approx(9));
   CHECK(values["outputs"] == json::array({png}));

@@ -33,6 +33,8 @@ TEST_CASE("help_of_each_command_lists_its_options_and_examples") {
         "--shadow-samples",
         "--point-lights",
         "--lights",
+        "--recognise-shapes",
+        "--shape-tolerance",
         "--camera",
         "--size",
         "--exposure",

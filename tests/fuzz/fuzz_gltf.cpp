@@ -4,6 +4,7 @@
 // Any bytes as a glTF file: loading ends in a scene that keeps the promises of scene.h or in one
 // line that begins with the file's name.
 
+#include "openltc/light/curved.h"
 #include "openltc/light/polygon.h"
 #include "openltc/scene/gltf.h"
 
@@ -48,8 +49,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const auto& mesh : loaded->meshes)
     check_mesh(mesh, *loaded);
-  for (const auto& light : loaded->lights.polygons)
-    require(openltc::light::validate(light).ok());
+  loaded->lights.for_each_area_light(
+      [](const auto& light) { require(openltc::light::validate(light).ok()); });
   for (const auto& light : loaded->lights.punctual)
     require(openltc::light::validate(light).ok());
   return 0;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
+#include "openltc/light/curved.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/shapes.h"
 
@@ -25,14 +26,12 @@ TEST_CASE("rectangle_has_the_area_and_normal_of_its_sides") {
   CHECK(validate(light).ok());
 }
 
-TEST_CASE("disk_has_exactly_the_area_of_the_circle_and_stays_near_it") {
-  const float radius = 0.7f;
-  const PolygonLight light = disk(Vec3f(0, 1, 0), Vec3f(1, 0, 0), Vec3f(0, 0, 1), radius, Vec3f(1));
-  CHECK(light.vertices.size() == std::size_t(k_disk_corners));
-  CHECK(area(light) == doctest::Approx(std::numbers::pi * 0.49).epsilon(1e-6));
-  CHECK(distance_from(light.normal, Vec3f(0, -1, 0)) < 1e-6);
-  for (const Vec3f corner : light.vertices)
-    CHECK(distance_from(corner, Vec3f(0, 1, 0)) == doctest::Approx(0.7).epsilon(0.0009));
+TEST_CASE("ellipse_has_the_area_and_axes_of_its_half_axes") {
+  const EllipseLight light =
+      ellipse(Vec3f(0, 1, 0), Vec3f(0.7f, 0, 0), Vec3f(0, 0, 0.2f), Vec3f(10, 20, 30));
+  CHECK(area(light) == doctest::Approx(std::numbers::pi * 0.14).epsilon(1e-6));
+  CHECK(distance_from(light.center, Vec3f(0, 1, 0)) == 0);
+  CHECK(distance_from(light.radiance, Vec3f(10, 20, 30)) == 0);
   CHECK(validate(light).ok());
 }
 

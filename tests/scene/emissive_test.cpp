@@ -26,7 +26,7 @@ scene::Material glowing(float nits, bool double_sided = false) {
 
 double total_area(const EmissiveLights& found) {
   double sum = 0;
-  for (const auto& light : found.lights)
+  for (const auto& light : found.lights.polygons)
     sum += light::area(light);
   return sum;
 }
@@ -46,8 +46,8 @@ scene::Mesh cube() {
 TEST_CASE("a_cube_is_six_lights_that_face_outwards") {
   const scene::Mesh mesh = cube();
   const EmissiveLights found = scene::emissive_lights(mesh, glowing(10), {});
-  CHECK(found.lights.size() == 6);
-  for (const auto& light : found.lights) {
+  CHECK(found.lights.polygons.size() == 6);
+  for (const auto& light : found.lights.polygons) {
     CHECK(light::validate(light).ok());
     CHECK(light::area(light) == doctest::Approx(1.0));
     CHECK(light.vertices.size() == 4);
@@ -76,9 +76,9 @@ TEST_CASE("a_sphere_keeps_its_area_and_its_poles_are_triangles") {
     }
   mesh.normals.assign(mesh.positions.size(), Vec3f(0, 1, 0));
   const EmissiveLights found = scene::emissive_lights(mesh, glowing(1), {});
-  CHECK(found.lights.size() == rings * segments); // quads are planar
+  CHECK(found.lights.polygons.size() == rings * segments); // quads are planar
   CHECK(total_area(found) == doctest::Approx(area_of(mesh)).epsilon(1e-5));
-  for (const auto& light : found.lights)
+  for (const auto& light : found.lights.polygons)
     CHECK(light::validate(light).ok());
 }
 
@@ -94,8 +94,8 @@ TEST_CASE("islands_of_one_plane_are_one_light_and_parallel_planes_are_not") {
   }
   mesh.normals.assign(mesh.positions.size(), Vec3f(0, 0, 1));
   const EmissiveLights found = scene::emissive_lights(mesh, glowing(1), {});
-  REQUIRE(found.lights.size() == 2);
-  CHECK(found.lights[0].ring_end.size() + found.lights[1].ring_end.size() == 3);
+  REQUIRE(found.lights.polygons.size() == 2);
+  CHECK(found.lights.polygons[0].ring_end.size() + found.lights.polygons[1].ring_end.size() == 3);
   CHECK(total_area(found) == doctest::Approx(3.0));
 }
 
@@ -124,8 +124,8 @@ TEST_CASE("a_plate_with_a_hole_in_any_position_keeps_its_area") {
     }
     mesh.normals.assign(mesh.positions.size(), n);
     const EmissiveLights found = scene::emissive_lights(mesh, glowing(1), {});
-    REQUIRE(found.lights.size() == 1);
-    const light::PolygonLight& light = found.lights[0];
+    REQUIRE(found.lights.polygons.size() == 1);
+    const light::PolygonLight& light = found.lights.polygons[0];
     CHECK(light::validate(light).ok());
     REQUIRE(light.ring_end.size() == 2);
     CHECK(light.ring_end[0] == 4);
@@ -142,10 +142,10 @@ TEST_CASE("double_sided_surfaces_shine_to_both_sides_once") {
   // the second triangle is drawn from the other side, the first one twice
   mesh.triangles = {{0, 1, 2}, {0, 3, 2}, {2, 1, 0}};
   const EmissiveLights found = scene::emissive_lights(mesh, glowing(1, true), {});
-  REQUIRE(found.lights.size() == 1);
-  CHECK(found.lights[0].two_sided);
-  CHECK(light::area(found.lights[0]) == doctest::Approx(1.0));
-  CHECK(found.lights[0].vertices.size() == 4);
+  REQUIRE(found.lights.polygons.size() == 1);
+  CHECK(found.lights.polygons[0].two_sided);
+  CHECK(light::area(found.lights.polygons[0]) == doctest::Approx(1.0));
+  CHECK(found.lights.polygons[0].vertices.size() == 4);
 }
 
 TEST_CASE("dark_and_unlit_materials_are_no_lights") {
@@ -172,15 +172,15 @@ TEST_CASE("textured_emission_that_is_no_picture_is_averaged_over_the_surface") {
   scene::Material material = glowing(100);
   material.emission_texture.texture = 0;
   auto found = scene::emissive_lights(mesh, material, {texture});
-  REQUIRE(found.lights.size() == 1);
+  REQUIRE(found.lights.polygons.size() == 1);
   CHECK(found.is_texture_averaged);
-  CHECK(found.lights[0].texture == -1);
-  CHECK(found.lights[0].radiance.x == doctest::Approx(25.0f).epsilon(0.15));
+  CHECK(found.lights.polygons[0].texture == -1);
+  CHECK(found.lights.polygons[0].radiance.x == doctest::Approx(25.0f).epsilon(0.15));
   // the right half of the picture is dark: no light at all
   for (Vec2f& uv : mesh.tex_coord_0)
     uv.x = 0.5f + 0.1f * uv.x;
   found = scene::emissive_lights(mesh, material, {texture});
-  CHECK(found.lights.empty());
+  CHECK(found.lights.polygons.empty());
 }
 
 TEST_CASE("emitters_in_a_file_become_lights_and_stay_visible") {

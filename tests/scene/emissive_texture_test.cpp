@@ -76,9 +76,9 @@ TEST_CASE("an_affine_texture_becomes_the_lights_picture") {
       return Vec2f(0.5f + a * x + b * y, 0.5f + c * x + d * y);
     });
     const auto found = scene::emissive_lights(mesh, pictured(), {stripes()});
-    REQUIRE(found.lights.size() == 1);
+    REQUIRE(found.lights.polygons.size() == 1);
     CHECK(!found.is_texture_averaged);
-    const light::PolygonLight& light = found.lights[0];
+    const light::PolygonLight& light = found.lights.polygons[0];
     CHECK(light.texture == 0);
     CHECK(light.radiance.x == 100.0f);
     for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
@@ -96,8 +96,8 @@ TEST_CASE("the_transform_of_the_material_is_part_of_the_map") {
   material.emission_texture.uv_row0 = {0.5f, 0, 0.25f};
   material.emission_texture.uv_row1 = {0, 0.25f, 0};
   const auto found = scene::emissive_lights(mesh, material, {stripes()});
-  REQUIRE(found.lights.size() == 1);
-  const Vec2f uv = picture_coordinates(found.lights[0], {3, 0, 0});
+  REQUIRE(found.lights.polygons.size() == 1);
+  const Vec2f uv = picture_coordinates(found.lights.polygons[0], {3, 0, 0});
   CHECK(uv.x == doctest::Approx(0.75f));
   CHECK(uv.y == doctest::Approx(0.25f));
 }
@@ -120,11 +120,12 @@ TEST_CASE("a_picture_is_shown_once_or_averaged") {
       return Vec2f(c.u0 + (c.u1 - c.u0) * x, 1 - y);
     });
     const auto found = scene::emissive_lights(mesh, pictured(), {stripes(c.wrap)});
-    REQUIRE(found.lights.size() == 1);
-    CHECK((found.lights[0].texture == 0) == c.is_picture);
+    REQUIRE(found.lights.polygons.size() == 1);
+    CHECK((found.lights.polygons[0].texture == 0) == c.is_picture);
     CHECK(found.is_texture_averaged == !c.is_picture);
     if (c.is_picture && c.wrap == Wrap::repeat) {
-      CHECK(picture_coordinates(found.lights[0], {0, 0, 0}).x == doctest::Approx(0).epsilon(1e-5));
+      CHECK(picture_coordinates(found.lights.polygons[0], {0, 0, 0}).x ==
+            doctest::Approx(0).epsilon(1e-5));
     }
   }
 }
@@ -133,10 +134,10 @@ TEST_CASE("a_bent_map_is_averaged") {
   const scene::Mesh mesh =
       grid({0, 0, 0}, {3, 0, 0}, {0, 2, 0}, [](float x, float y) { return Vec2f(x * x, 1 - y); });
   const auto found = scene::emissive_lights(mesh, pictured(), {stripes()});
-  REQUIRE(found.lights.size() == 1);
-  CHECK(found.lights[0].texture == -1);
+  REQUIRE(found.lights.polygons.size() == 1);
+  CHECK(found.lights.polygons[0].texture == -1);
   CHECK(found.is_texture_averaged);
-  CHECK(found.lights[0].radiance.x < 100.0f);
+  CHECK(found.lights.polygons[0].radiance.x < 100.0f);
 }
 
 TEST_CASE("lights_of_one_texture_share_one_picture") {
@@ -148,7 +149,8 @@ TEST_CASE("lights_of_one_texture_share_one_picture") {
   scene.meshes = {grid({0, 0, 0}, {3, 0, 0}, {0, 2, 0}, map),
                   grid({0, 0, 5}, {1, 0, 0}, {0, 0, 1}, map)};
   scene::Warnings warnings;
-  scene::add_emissive_lights(scene, warnings);
+  for (const light::Lights& lights : scene::find_emissive_lights(scene, {}, warnings))
+    scene::append_lights(lights, scene.lights);
   REQUIRE(scene.lights.polygons.size() == 2);
   REQUIRE(scene.lights.textures.size() == 1);
   CHECK(scene.lights.polygons[0].texture == 0);

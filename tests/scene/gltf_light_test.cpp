@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "gltf_builder.h"
+#include "openltc/light/curved.h"
 #include "openltc/light/polygon.h"
 
 #include <doctest/doctest.h>
@@ -97,28 +98,41 @@ TEST_CASE("area_rectangles_have_size_aspect_and_the_largest_scale") {
   CHECK(loaded->meshes.empty()); // the camera does not see it
 }
 
-TEST_CASE("area_disks_have_the_area_of_their_circle_and_emit_along_minus_z") {
-  const auto loaded = load_light(
-      "EXT_lights_area", {{"type", "disk"}, {"size", 3}, {"intensity", 50}}, json::object());
+TEST_CASE("area_disks_are_exact_and_emit_along_minus_z") {
+  const auto loaded =
+      load_light("EXT_lights_area", {{"type", "disk"}, {"size", 3}, {"intensity", 50}},
+                 {{"scale", {0.5, -2, 1}}, {"translation", {1, 2, 3}}});
   REQUIRE(loaded.ok());
-  const light::PolygonLight& light = loaded->lights.polygons.at(0);
-  CHECK(light::area(light) == doctest::Approx(std::numbers::pi * 2.25));
-  CHECK(is_near(light.normal, Vec3f(0, 0, -1)));
+  CHECK(loaded->lights.polygons.empty());
+  const light::EllipseLight& light = loaded->lights.ellipses.at(0);
+  CHECK(light::area(light) == doctest::Approx(std::numbers::pi * 9)); // the size is the diameter
+  CHECK(length(light.half_u) == doctest::Approx(length(light.half_v)));
+  CHECK(is_near(light.center, Vec3f(1, 2, 3)));
+  CHECK(is_near(normalize(cross(light.half_u, light.half_v)), Vec3f(0, 0, -1)));
   CHECK(light.radiance.x == 50.0f);
+  CHECK(!light.two_sided);
   CHECK(light::validate(light).ok());
+  const auto plain = load_light("EXT_lights_area", {{"type", "disk"}}, json::object());
+  CHECK(is_near(plain->lights.ellipses.at(0).radiance, Vec3f(1000)));
+  CHECK(length(plain->lights.ellipses[0].half_u) == doctest::Approx(0.5));
 }
 
-TEST_CASE("area_lights_without_size_are_refused_by_field") {
-  const auto load = [](const json& light, const json& node = json::object()) {
-    return load_light("EXT_lights_area", light, node);
+TEST_CASE("area_lights_without_size_are_left_out_by_field_and_the_rest_renders") {
+  const auto leaves_out = [](const json& light, const std::string& part,
+                             const json& node = json::object()) {
+    const auto loaded = load_light("EXT_lights_area", light, node);
+    return loaded.ok() && loaded->lights.empty() && warns_about(*loaded, part) &&
+           warns_about(*loaded, "the light is left out");
   };
-  CHECK(fails_naming(load({{"type", "rect"}, {"size", 0}}), "EXT_lights_area.lights[0].size"));
-  CHECK(fails_naming(load({{"type", "rect"}, {"size", -1}}), "EXT_lights_area.lights[0].size"));
-  CHECK(fails_naming(load({{"type", "rect"}, {"rect", {{"aspect", 0}}}}), "rect.aspect"));
-  CHECK(fails_naming(load({{"type", "disk"}, {"intensity", -5}}), "lights[0].intensity"));
-  CHECK(fails_naming(load({{"type", "disk"}}, {{"scale", {0, 0, 0}}}), "lights[0].size"));
-  CHECK(fails_naming(load({{"type", "tube"}}), "lights[0].type"));
-  CHECK(fails_naming(load(json::object()), "lights[0].type"));
+  CHECK(leaves_out({{"type", "rect"}, {"size", 0}}, "EXT_lights_area.lights[0].size"));
+  CHECK(leaves_out({{"type", "rect"}, {"size", -1}}, "EXT_lights_area.lights[0].size"));
+  CHECK(leaves_out({{"type", "rect"}, {"rect", {{"aspect", 0}}}}, "rect.aspect"));
+  CHECK(leaves_out({{"type", "disk"}, {"intensity", -5}}, "lights[0].intensity"));
+  CHECK(leaves_out({{"type", "disk"}}, "lights[0].size", {{"scale", {0, 0, 0}}}));
+  CHECK(fails_naming(load_light("EXT_lights_area", {{"type", "tube"}}, json::object()),
+                     "lights[0].type"));
+  CHECK(fails_naming(load_light("EXT_lights_area", json::object(), json::object()),
+                     "lights[0].type"));
 }
 
 Result<scene::Scene> load_camera(const json& camera, const json& node = json::object()) {

@@ -5,6 +5,10 @@
 // loading it ends, without a crash, in a scene or in one line.
 
 #include "gltf_samples.h"
+#include "openltc/light/curved.h"
+#include "openltc/light/polygon.h"
+#include "openltc/scene/gltf_export.h"
+#include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>
 
@@ -106,8 +110,14 @@ void mutate_json(json& root, std::mt19937& random) {
 }
 
 void check_ends_well(const Bytes& bytes) {
-  const auto loaded = load_bytes(bytes);
+  scene::EmissiveOptions emissive;
+  emissive.recognise_shapes = bytes.size() % 2 == 0; // both ways
+  const auto loaded = scene::load_gltf_memory(bytes, "test.gltf", "", emissive);
   if (loaded.ok()) {
+    loaded->lights.for_each_area_light(
+        [](const auto& light) { REQUIRE(light::validate(light).ok()); });
+    for (const std::string& warning : loaded->warnings)
+      REQUIRE(warning.find('\n') == std::string::npos);
     for (const auto& mesh : loaded->meshes) {
       REQUIRE(mesh.normals.size() == mesh.positions.size());
       for (const auto& t : mesh.triangles)
@@ -142,6 +152,25 @@ TEST_CASE("damaged_bytes_never_crash_the_importer") {
     bytes = random() % 3 == 0 ? cut(bytes, random) : flip_bytes(bytes, random);
     CAPTURE(i);
     check_ends_well(bytes);
+  }
+}
+
+TEST_CASE("whatever_loads_can_be_exported_and_loads_again") {
+  std::mt19937 random(20240503);
+  const auto samples = make_samples();
+  const image::test::TemporaryFolder folder;
+  const std::string in = folder.file("in.glb"), out = folder.file("out.glb");
+  for (int i = 0; i < rounds(300); ++i) {
+    GltfBuilder sample = samples[random() % samples.size()];
+    mutate_json(sample.root, random);
+    CAPTURE(i);
+    image::test::write_bytes(in, sample.to_glb());
+    const bool loads = scene::load_gltf(in).ok();
+    const auto report = scene::export_area_lights(in, out);
+    REQUIRE(report.ok() == loads);
+    if (!loads) continue;
+    const auto again = scene::load_gltf(out);
+    CHECK_MESSAGE(again.ok(), (again.ok() ? "" : again.error().message));
   }
 }
 

@@ -7,6 +7,8 @@
 #include <meshoptimizer.h>
 #endif
 
+#include <cmath>
+
 namespace openltc::test {
 
 namespace {
@@ -93,6 +95,42 @@ GltfBuilder strips_and_sparse() {
   return file;
 }
 
+// Lights in extras, in all three forms, and an emissive disk and a square.
+GltfBuilder lights_in_extras() {
+  GltfBuilder file;
+  const json lights[] = {
+      {{"type", "sphere"}, {"radius", 0.2}, {"luminance_nits", 4000}, {"color", {1, 0.5, 0}}},
+      {{"type", "tube"}, {"radius", 0.2}, {"length", 1}, {"caps", "flat"}, {"flux_lumens", 5}},
+      {{"type", "polygon"},
+       {"points", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}},
+       {"holes", {{{1, 1}, {2, 1}, {2, 2}}}},
+       {"intensity_candela", 3},
+       {"two_sided", true}},
+      {{"type", "spot"}, {"inner_cone_degrees", 10}, {"flux_lumens", 5}},
+      {{"type", "ellipse"}, {"radius_x", 1}, {"radius_y", 2}, {"luminance_nits", 5}},
+  };
+  const int glow = file.add("materials", {{"emissiveFactor", {1, 1, 1}}});
+  json square = file.square_primitive();
+  square["material"] = glow;
+  for (const json& light : lights) {
+    file.add_mesh_node(square, {{"extras", {{"openltc_light", light}}}, {"scale", {2, 2, 2}}});
+    file.add_mesh_node(square, {{"extras", {{"openltc_light", light.dump()}}}});
+  }
+  file.add_mesh_node(square, {{"extras", {{"openltc_emits_light", 0}}}});
+  std::vector<float> points = {0, 0, 0};
+  std::vector<std::uint16_t> indices;
+  for (std::uint16_t i = 0; i < 24; ++i) {
+    points.insert(points.end(),
+                  {std::cos(float(i) * 0.2617994f), std::sin(float(i) * 0.2617994f), 0});
+    indices.insert(indices.end(), {0, std::uint16_t(1 + i), std::uint16_t(1 + (i + 1) % 24)});
+  }
+  file.add_mesh_node({{"attributes", {{"POSITION", file.add_vec3(points)}}},
+                      {"indices", file.add_indices(indices)},
+                      {"material", glow}},
+                     {{"extras", {{"openltc_surface_deviation", 0.1}}}});
+  return file;
+}
+
 #ifdef OPENLTC_HAVE_MESHOPTIMIZER
 GltfBuilder compressed() {
   GltfBuilder file;
@@ -121,7 +159,7 @@ GltfBuilder compressed() {
 
 std::vector<GltfBuilder> make_samples() {
   std::vector<GltfBuilder> samples = {lights_and_cameras(), textured_hierarchy(),
-                                      strips_and_sparse()};
+                                      strips_and_sparse(), lights_in_extras()};
 #ifdef OPENLTC_HAVE_MESHOPTIMIZER
   samples.push_back(compressed());
 #endif

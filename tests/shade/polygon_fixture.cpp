@@ -3,6 +3,8 @@
 
 #include "polygon_fixture.h"
 
+#include "openltc/light/polygon_moments.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,13 +106,15 @@ TestPolygon::TestPolygon(const std::vector<Ring>& rings, Vec3d origin, Vec3d axi
   view_.in_plane = in_plane_.data();
   view_.point_count = int(points_.size() / 4);
   view_.two_sided = two_sided;
-  double area = 0;
-  for (const Ring& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2d a = ring[i], b = ring[(i + 1) % ring.size()];
-      area += 0.5 * (a.x * b.y - a.y * b.x);
-    }
-  view_.area = float(area);
+  std::vector<Vec2d> flat;
+  for (std::size_t i = 0; i < in_plane_.size(); i += 2)
+    flat.push_back({double(in_plane_[i]), double(in_plane_[i + 1])});
+  const light::PolygonMoments moments =
+      light::polygon_moments(flat, [&](std::size_t i) { return points_[4 * i + 3] != 0.0f; });
+  view_.area = float(moments.area);
+  for (const Vec2d& p : flat)
+    view_.radius = std::max(view_.radius,
+                            float(std::hypot(p.x - moments.centroid.x, p.y - moments.centroid.y)));
   const auto store = [](Vec3d v, float* to) {
     to[0] = float(v.x);
     to[1] = float(v.y);
@@ -120,6 +124,10 @@ TestPolygon::TestPolygon(const std::vector<Ring>& rings, Vec3d origin, Vec3d axi
   store(axis_u, view_.axis_u);
   store(axis_v, view_.axis_v);
   store(normal, view_.normal);
+  const auto in_world = [&](Vec2d p) { return axis_u * p.x + axis_v * p.y; };
+  store(origin + in_world(moments.centroid), view_.centroid);
+  store(in_world(moments.spread_u), view_.spread_u);
+  store(in_world(moments.spread_v), view_.spread_v);
 }
 
 Ring rectangle(double width, double height, Vec2d center) {

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// openltc convert of a scene.
+
+#pragma once
+
+#include "openltc/base/result.h"
+#include "openltc/scene/emissive.h"
+
+#include <string>
+
+namespace openltc::cli {
+
+/// Whether `path` has the extension of a scene, .gltf or .glb.
+bool is_scene_file(const std::string& path);
+
+/// Writes the scene `input` to `output`, a .glb, with its lights as EXT_lights_area, and says on
+/// stderr, unless `quiet`, what became of them.
+Status convert_scene(const std::string& input, const std::string& output,
+                     const scene::EmissiveOptions& emissive, bool quiet);
+
+} // namespace openltc::cli

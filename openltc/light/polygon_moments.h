@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// Area, centroid and spread of a planar outline: what shading knows of a polygon that is small.
+
+#pragma once
+
+#include "openltc/target/vec.h"
+
+#include <cstddef>
+#include <span>
+
+namespace openltc::light {
+
+struct PolygonMoments {
+  double area = 0; ///< signed, positive counter-clockwise
+  Vec2d centroid{0, 0};
+  /// sqrt(2) times the standard deviations of the area along its principal axes, as vectors: the
+  /// mean of f over centroid +- spread_u and +- spread_v is that over the area for every cubic f
+  /// whose mixed third moments vanish, and for all quadratic ones.
+  Vec2d spread_u{0, 0}, spread_v{0, 0};
+};
+
+/// Moments of rings of points, one after the other; every ring repeats its first point at its end,
+/// and starts_ring tells where one begins. Holes run the other way round.
+template <class StartsRing>
+PolygonMoments polygon_moments(std::span<const Vec2d> points, const StartsRing& starts_ring);
+
+/// The principal axes of a covariance matrix [xx xy; xy yy], scaled as PolygonMoments says.
+void set_spread(PolygonMoments& moments, double xx, double xy, double yy);
+
+template <class StartsRing>
+PolygonMoments polygon_moments(std::span<const Vec2d> points, const StartsRing& starts_ring) {
+  PolygonMoments m;
+  if (points.empty()) return m;
+  // About the first point, so that nothing cancels: triangles (0, a, b) with signed areas.
+  const Vec2d origin = points[0];
+  double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (starts_ring(i)) continue;
+    const Vec2d a = points[i - 1] - origin, b = points[i] - origin;
+    const double area = 0.5 * (a.x * b.y - a.y * b.x);
+    m.area += area;
+    x += area * (a.x + b.x) / 3;
+    y += area * (a.y + b.y) / 3;
+    xx += area * (a.x * a.x + a.x * b.x + b.x * b.x) / 6;
+    yy += area * (a.y * a.y + a.y * b.y + b.y * b.y) / 6;
+    xy += area * (2 * a.x * a.y + a.x * b.y + b.x * a.y + 2 * b.x * b.y) / 12;
+  }
+  if (!(m.area > 0)) return m;
+  x /= m.area;
+  y /= m.area;
+  m.centroid = origin + Vec2d(x, y);
+  set_spread(m, xx / m.area - x * x, xy / m.area - x * y, yy / m.area - y * y);
+  return m;
+}
+
+} // namespace openltc::light

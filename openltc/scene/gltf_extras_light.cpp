@@ -1,0 +1,323 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+// How bright a light is may be said by its luminance along the normal L, by its flux or by its
+// intensity. With p the cosine power of its emission and A its area
+//   flux      = 2 pi / (p + 2) A L, twice that from two sides (light/curved.h),
+//   intensity = A L along the normal of a flat one.
+// Of a convex one the facets add cos^p times their projected area to a view across; over a sphere
+//   r^2 L int cos^(p+1) dw = 2 pi / (p + 2) r^2 L,
+// over the side of a tube of length l
+//   r l L int_-pi/2^pi/2 cos^(p+1) t dt = sqrt(pi) Gamma(p/2 + 1) / Gamma(p/2 + 3/2) r l L;
+// flat ends are seen edge-on, round ones add a sphere.
+
+#include "openltc/scene/gltf_extras_light.h"
+
+#include "openltc/image/file.h"
+#include "openltc/light/curved.h"
+#include "openltc/light/emitter.h"
+#include "openltc/light/polygon.h"
+#include "openltc/light/shapes.h"
+#include "openltc/scene/gltf_document.h"
+#include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_placement.h"
+#include "openltc/scene/gltf_properties.h"
+#include "openltc/scene/gltf_uri.h"
+#include "openltc/scene/simple_outline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace openltc::scene::gltf {
+
+namespace {
+
+constexpr double k_pi = std::numbers::pi;
+
+enum class Quantity { luminance_nits, flux_lumens, intensity_candela, illuminance_lux };
+constexpr const char* k_quantities[] = {"luminance_nits", "flux_lumens", "intensity_candela",
+                                        "illuminance_lux"};
+
+struct Strength {
+  Quantity quantity = Quantity::luminance_nits;
+  Vec3d value{0, 0, 0}; ///< times colour and exposure
+};
+
+class ExtrasLight {
+public:
+  ExtrasLight(const nlohmann::json& properties, const std::string& field,
+              const std::string& node_name, const Placement& placement, Document& document,
+              light::Lights& lights)
+      : p_(properties, field), name_(node_name), placement_(placement), document_(document),
+        lights_(lights) {}
+
+  void read() {
+    const std::string type = p_.text("type", "");
+    if (type == "rect") return read_rectangle();
+    if (type == "disk" || type == "ellipse") return read_ellipse(type == "disk");
+    if (type == "polygon") return read_polygon();
+    if (type == "sphere") return read_sphere();
+    if (type == "tube") return read_tube();
+    if (type == "line") return read_line();
+    if (type == "point") return read_punctual(light::PunctualType::point);
+    if (type == "spot") return read_punctual(light::PunctualType::spot);
+    if (type == "directional") return read_punctual(light::PunctualType::directional);
+    p_.refuse("type",
+              fmt::format("\"{}\" is not one of: rect disk ellipse polygon sphere tube line "
+                          "point spot directional",
+                          type.substr(0, 60)));
+  }
+
+private:
+  // Positions and axes in the world. The emitting side of planar shapes is -Z, so that their own
+  // right-hand frame has x turned over.
+  Vec3f point(double x, double y) const { return to_float(placement_.point({x, y, 0})); }
+  Vec3f right(double metres) const {
+    return to_float(-placement_.right * (metres * placement_.scale));
+  }
+  Vec3f up(double metres) const { return to_float(placement_.up * (metres * placement_.scale)); }
+  float scaled(double metres) const { return float(metres * placement_.scale); }
+
+  void read_rectangle() {
+    const double width = p_.positive("width"), height = p_.positive("height");
+    light::PolygonLight light =
+        light::rectangle(point(0, 0), right(width / 2), up(height / 2), Vec3f(0));
+    light.normal = to_float(-placement_.back);
+    add_planar(std::move(light), "a rect", lights_.polygons, width / 2, height / 2);
+  }
+
+  void read_ellipse(bool is_disk) {
+    const double x = p_.positive(is_disk ? "radius" : "radius_x");
+    const double y = is_disk ? x : p_.positive("radius_y");
+    add_planar(light::ellipse(point(0, 0), right(x), up(y), Vec3f(0)),
+               is_disk ? "a disk" : "an ellipse", lights_.ellipses, x, y);
+  }
+
+  void read_polygon() {
+    std::vector<std::vector<Vec2d>> rings = {p_.outline("points")};
+    std::vector<std::string> names = {"points"};
+    for (auto& hole : p_.outlines("holes")) {
+      names.push_back(fmt::format("holes[{}]", rings.size() - 1));
+      rings.push_back(std::move(hole));
+    }
+    const auto check = [&](std::size_t ring, const Status& status) {
+      if (!status.ok()) p_.refuse(names[ring], status.error().message);
+    };
+    light::PolygonLight light;
+    light.normal = to_float(-placement_.back);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      std::vector<Vec2d>& ring = rings[i];
+      const bool repeats_first =
+          ring.size() > 1 && ring.front().x == ring.back().x && ring.front().y == ring.back().y;
+      if (repeats_first) ring.pop_back();
+      check(i, check_simple(ring));
+      if (i > 0) check(i, check_inside(ring, rings[0]));
+      for (std::size_t k = 1; k < i; ++k)
+        check(i, check_apart(ring, rings[k]));
+      // Seen from -Z, the outline runs counter-clockwise and the holes clockwise.
+      if ((signed_area(ring) < 0) != (i == 0)) std::reverse(ring.begin(), ring.end());
+      for (const Vec2d corner : ring)
+        light.vertices.push_back(point(corner.x, corner.y));
+      light.ring_end.push_back(std::uint32_t(light.vertices.size()));
+    }
+    read_flat_emission(light, "a polygon");
+    add(std::move(light), lights_.polygons, "points");
+  }
+
+  void read_sphere() {
+    light::SphereLight light;
+    light.center = point(0, 0);
+    light.radius = scaled(p_.positive("radius"));
+    const double r2 = double(light.radius) * double(light.radius);
+    read_emission(light, "a sphere", [&](double power) { return 2 * k_pi / (power + 2) * r2; });
+    add(std::move(light), lights_.spheres, "radius");
+  }
+
+  void read_tube() {
+    light::TubeLight light;
+    const double length = p_.positive("length");
+    light.from = point(-length / 2, 0);
+    light.to = point(length / 2, 0);
+    light.radius = scaled(p_.positive("radius"));
+    const std::string caps = p_.choice("caps", {"round", "flat", "none"});
+    light.caps = caps == "round"  ? light::TubeCaps::round
+                 : caps == "flat" ? light::TubeCaps::flat
+                                  : light::TubeCaps::none;
+    const double r = double(light.radius), l = length * placement_.scale;
+    read_emission(light, "a tube", [&](double power) {
+      const double across = std::sqrt(k_pi) *
+                            std::exp(std::lgamma(power / 2 + 1) - std::lgamma(power / 2 + 1.5)) *
+                            r * l;
+      const bool has_ball = light.caps == light::TubeCaps::round;
+      return across + (has_ball ? 2 * k_pi / (power + 2) * r * r : 0);
+    });
+    add(std::move(light), lights_.tubes, "radius");
+  }
+
+  void read_line() {
+    light::LineLight light;
+    const double length = p_.positive("length"), metres = length * placement_.scale;
+    light.from = point(-length / 2, 0);
+    light.to = point(length / 2, 0);
+    const Strength strength =
+        read_strength("a line", {Quantity::flux_lumens, Quantity::intensity_candela});
+    p_.check_all_known("a line");
+    const bool is_flux = strength.quantity == Quantity::flux_lumens;
+    light.intensity_per_metre = limited(strength.value / (metres * (is_flux ? k_pi * k_pi : 1.0)));
+    add(std::move(light), lights_.lines, "length");
+  }
+
+  void read_punctual(light::PunctualType type) {
+    light::PunctualLight light;
+    light.type = type;
+    light.position = point(0, 0);
+    const bool is_spot = type == light::PunctualType::spot;
+    const bool is_far = type == light::PunctualType::directional;
+    const std::string what = is_far ? "a directional light" : is_spot ? "a spot" : "a point";
+    if (type != light::PunctualType::point) light.direction = to_float(-placement_.back);
+    double solid_angle = 4 * k_pi; // flux over intensity
+    if (is_spot) {
+      const double inner = p_.not_negative("inner_cone_degrees", 0);
+      const double outer = p_.not_negative("outer_cone_degrees", 45);
+      if (!(outer > 0) || outer > 90)
+        p_.refuse("outer_cone_degrees", fmt::format("{} is not between 0 and 90", outer));
+      if (inner > outer)
+        p_.refuse("inner_cone_degrees",
+                  fmt::format("{} is wider than the outer cone of {}", inner, outer));
+      const double cos_inner = std::cos(inner * k_pi / 180),
+                   cos_outer = std::cos(outer * k_pi / 180);
+      light.cos_inner = float(cos_inner);
+      light.cos_outer = float(cos_outer);
+      // KHR_lights_punctual: between the cones the square of a ramp in the cosine.
+      solid_angle = 2 * k_pi * ((1 - cos_inner) + (cos_inner - cos_outer) / 3);
+    }
+    if (!is_far) light.range = float(p_.not_negative("range", 0));
+    const Strength strength =
+        is_far ? read_strength(what, {Quantity::illuminance_lux})
+               : read_strength(what, {Quantity::intensity_candela, Quantity::flux_lumens});
+    const bool is_flux = strength.quantity == Quantity::flux_lumens;
+    light.intensity = limited(strength.value / (is_flux ? solid_angle : 1.0));
+    if (!is_far && !p_.text("ies", "").empty()) // profile
+      p_.refuse("ies", "photometric profiles of point lights are not read yet; take it out");
+    p_.check_all_known(what);
+    add(std::move(light), lights_.punctual, "type");
+  }
+
+  // --- emission ------------------------------------------------------------------------------
+
+  Strength read_strength(const std::string& what, const std::vector<Quantity>& allowed) {
+    std::string listed;
+    for (const Quantity q : allowed)
+      listed += (listed.empty() ? "" : " or ") + std::string(k_quantities[std::size_t(q)]);
+    std::optional<Strength> strength;
+    double value = 0;
+    for (const Quantity q : {Quantity::luminance_nits, Quantity::flux_lumens,
+                             Quantity::intensity_candela, Quantity::illuminance_lux}) {
+      const char* const name = k_quantities[std::size_t(q)];
+      if (std::find(allowed.begin(), allowed.end(), q) == allowed.end()) {
+        if (p_.has(name)) p_.refuse(name, fmt::format("is not for {}; give {}", what, listed));
+        continue;
+      }
+      const auto given = p_.number(name);
+      if (!given) continue;
+      if (strength)
+        p_.refuse(name, fmt::format("how bright it is, is said twice, by {} too; give one",
+                                    k_quantities[std::size_t(strength->quantity)]));
+      if (*given < 0) p_.refuse(name, fmt::format("{} must not be negative", *given));
+      strength = Strength{q, Vec3d(0, 0, 0)};
+      value = *given;
+    }
+    if (!strength)
+      p_.refuse(k_quantities[std::size_t(allowed[0])],
+                fmt::format("is missing: say how bright it is, by {}", listed));
+    const double exposure = p_.number("exposure", 0);
+    if (!(std::abs(exposure) <= 100))
+      p_.refuse("exposure", fmt::format("{} is not within 100 stops of 0", exposure));
+    strength->value = p_.color("color") * (value * std::exp2(exposure));
+    return *strength;
+  }
+
+  static Vec3f limited(Vec3d v) {
+    return Vec3f(float(std::min(v.x, 1e30)), float(std::min(v.y, 1e30)),
+                 float(std::min(v.z, 1e30)));
+  }
+
+  // `intensity_of` gives the intensity in candela across a light of 1 nit for a cosine power.
+  template <class Light, class IntensityOf>
+  void read_emission(Light& light, const std::string& what, const IntensityOf& intensity_of) {
+    light.cosine_power = float(p_.not_negative("cosine_power", 0));
+    const Strength strength = read_strength(
+        what, {Quantity::luminance_nits, Quantity::flux_lumens, Quantity::intensity_candela});
+    const double per_nit = strength.quantity == Quantity::flux_lumens
+                               ? light::exitance_per_radiance(light) * light::area(light)
+                           : strength.quantity == Quantity::intensity_candela
+                               ? intensity_of(double(light.cosine_power))
+                               : 1.0;
+    light.radiance = limited(strength.value / per_nit);
+    p_.check_all_known(what);
+  }
+
+  template <class Light> void read_flat_emission(Light& light, const std::string& what) {
+    light.two_sided = p_.flag("two_sided");
+    read_emission(light, what, [&](double) { return light::area(light); });
+  }
+
+  // A planar light that may carry a picture, which fills the rectangle of these half sides and is
+  // upright for who looks at its emitting side.
+  template <class Light>
+  void add_planar(Light light, const char* what, std::vector<Light>& list, double half_width,
+                  double half_height) {
+    const std::string texture = p_.text("texture", "");
+    read_flat_emission(light, what);
+    if (!texture.empty()) {
+      light.texture = load_texture(texture);
+      light.texture_corner = point(half_width, half_height);
+      light.texture_u = right(2 * half_width);
+      light.texture_v = up(-2 * half_height);
+    }
+    add(std::move(light), list, "scale");
+  }
+
+  int load_texture(const std::string& uri) {
+    const auto known = document_.light_textures.find(uri);
+    if (known != document_.light_textures.end()) return known->second;
+    const std::string field = p_.field() + ".texture";
+    Result<image::Image> image = image::read(resolve_uri(uri, document_.base_dir, field));
+    if (!image) fail(field, image.error().message);
+    const int index = int(lights_.textures.size());
+    lights_.textures.push_back(std::move(*image));
+    document_.light_textures[uri] = index;
+    return index;
+  }
+
+  template <class Light> void add(Light light, std::vector<Light>& list, const char* property) {
+    light.name = name_;
+    if (const Status status = light::validate(light); !status.ok())
+      p_.refuse(property, fmt::format("it gives no usable light ({}); check its size and its "
+                                      "node's scale",
+                                      status.error().message));
+    list.push_back(std::move(light));
+  }
+
+  Properties p_;
+  std::string name_;
+  const Placement& placement_;
+  Document& document_;
+  light::Lights& lights_;
+};
+
+} // namespace
+
+void read_extras_light(const nlohmann::json& properties, const std::string& node,
+                       const std::string& node_name, const Transform& to_world, Document& document,
+                       light::Lights& lights) {
+  const std::string field = node + ".extras.openltc_light";
+  const Placement placement = placement_of(to_world, field, document);
+  ExtrasLight(properties, field, node_name.empty() ? node : node_name, placement, document, lights)
+      .read();
+}
+
+} // namespace openltc::scene::gltf

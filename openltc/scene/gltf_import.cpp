@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/scene/gltf_import.h"
+
+#include "openltc/scene/gltf_container.h"
+#include "openltc/scene/gltf_document.h"
+#include "openltc/scene/gltf_material.h"
+#include "openltc/scene/gltf_node.h"
+
+#include <algorithm>
+
+namespace openltc::scene::gltf {
+
+namespace {
+
+Bounds bounds_of(const std::vector<Mesh>& meshes) {
+  Bounds bounds;
+  bool is_first = true;
+  for (const Mesh& mesh : meshes) {
+    for (const Vec3f p : mesh.positions) {
+      if (is_first) bounds = {p, p};
+      is_first = false;
+      bounds.lower = Vec3f(std::min(bounds.lower.x, p.x), std::min(bounds.lower.y, p.y),
+                           std::min(bounds.lower.z, p.z));
+      bounds.upper = Vec3f(std::max(bounds.upper.x, p.x), std::max(bounds.upper.y, p.y),
+                           std::max(bounds.upper.z, p.z));
+    }
+  }
+  return bounds;
+}
+
+} // namespace
+
+Imported import_gltf(std::span<const std::uint8_t> bytes, const std::string& base_dir,
+                     const EmissiveOptions& emissive) {
+  Document document;
+  read_document(split_container(bytes), base_dir, document);
+  Imported imported;
+  Scene& scene = imported.scene;
+  read_materials(document, scene);
+  read_nodes(document, imported);
+  if (scene.materials.empty()) scene.materials.push_back({});
+  if (document.skin_count != 0)
+    document.warnings.add(
+        "skinned meshes are shown in the pose in which they were bound; bones do not bend "
+        "them yet");
+  if (document.animation_count != 0)
+    document.warnings.add("animations are not played; the rest pose is shown");
+  if (scene.meshes.empty())
+    document.warnings.add("there is nothing to see: the file has no triangles");
+  scene.bounds = bounds_of(scene.meshes);
+  imported.mesh_lights = find_emissive_lights(scene, emissive, document.warnings);
+  for (const light::Lights& lights : imported.mesh_lights)
+    append_lights(lights, scene.lights);
+  scene.warnings = document.warnings.lines();
+  return imported;
+}
+
+} // namespace openltc::scene::gltf
