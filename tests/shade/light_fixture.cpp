@@ -8,6 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
+namespace openltc::f64 {
+#include "light_batch_body.inc"
+}
+
 namespace openltc::testing {
 
 namespace {
@@ -325,6 +329,29 @@ CaseAnswer evaluate(const LightCase& light, EvaluateLights with) {
   const auto get = [](const float(&v)[3][k_batch]) { return Vec3f(v[0][0], v[1][0], v[2][0]); };
   return {answers.diffuse[0], answers.specular[0], get(answers.diffuse_direction),
           get(answers.specular_direction), get(answers.shaded)};
+}
+
+f64::LightIntegral evaluate_precise(const LightCase& light, const CaseView& view) {
+  LightBatch batch;
+  set_lane(batch, 0, light);
+  return f64::batch_integral(batch, 0, view.position, view.frame, view.lobe);
+}
+
+LightCase elsewhere(const LightCase& light, bool adversarial, Random& random) {
+  LightCase other = light;
+  random_surface(other, random);
+  const double distance = length(to_double(light.position) - to_double(point_of(light, random)));
+  other.position = to_float(to_double(light.position) + random.sphere() * (0.5 * distance));
+  if (!adversarial) return other;
+  const int kind = random.integer(4);
+  if (kind == 0) other.position = point_of(light, random);
+  if (kind == 1)
+    other.position =
+        point_of(light, random) + to_float(random.sphere() * random.log_uniform(1e-9, 1e-2));
+  if (kind == 2) other.position = light.position;
+  for (int i = random.integer(3); i > 0; --i)
+    bend_surface(other, random);
+  return other;
 }
 
 } // namespace openltc::testing

@@ -341,11 +341,13 @@ Vec3d line_integral(const LightCase& light, const CaseView& view, const f64::Lob
   const std::vector<double> breaks = horizon_breaks(p, wedge);
   Vec3d sum(0.0);
   for (std::size_t i = 1; i < breaks.size(); ++i) {
-    if (!wedge.inside(p.at(0.5 * (breaks[i - 1] + breaks[i])))) continue;
+    if (breaks[i - 1] == breaks[i] || !wedge.inside(p.at(0.5 * (breaks[i - 1] + breaks[i]))))
+      continue;
     const Vec3d a = f64::to_cosine(lobe, p.at(breaks[i - 1]));
     const Vec3d b = f64::to_cosine(lobe, p.at(breaks[i]));
     const Vec3d e1 = normalize(a), e2 = normalize(b - e1 * dot(b, e1));
     const double angle = std::atan2(length(cross(a, b)), dot(a, b));
+    if (!(angle > 0)) continue;
     const double k = length(cross(f64::to_cosine(lobe, p.at(0)), f64::to_cosine(lobe, p.at(1)))) /
                      length(plane);
     const auto f = [&](double psi) {
