@@ -15,8 +15,8 @@ namespace openltc::render {
 
 /// Owner of what the views in a KernelContext point to.
 struct LightSet {
-  std::vector<light::PackedPolygon> packed;
-  std::vector<PolygonLightView> polygons;
+  std::vector<light::PackedPolygon> packed; ///< of the polygons among the area lights
+  std::vector<AreaLightView> area_lights;
   std::vector<PunctualLightView> punctual;
   std::vector<std::string> warnings; ///< lights that were left out, and why
 };

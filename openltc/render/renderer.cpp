@@ -33,7 +33,7 @@ constexpr int k_max_size = 32768;        // pixels on a side
 constexpr int k_tile_pixels = k_tile * k_tile;
 constexpr std::size_t k_batch = 4096; // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
-constexpr std::size_t k_max_polygon_lights = 20000; // 180 MB of shadow sums per thread
+constexpr std::size_t k_max_area_lights = 20000; // 180 MB of shadow sums per thread
 
 static_assert(k_tile == RayPacket::k_size);
 
@@ -52,7 +52,7 @@ struct Job {
 };
 
 bool needs_ratio(const KernelContext& context) {
-  return context.integrator == Integrator::ltc && context.trace && context.polygon_count > 0;
+  return context.integrator == Integrator::ltc && context.trace && context.area_light_count > 0;
 }
 
 int divide_up(int a, int b) { return (a + b - 1) / b; }
@@ -69,8 +69,9 @@ public:
     const int pixels = k_tile_pixels;
     std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
     if (needs_ratio(job_.context))
-      ratio_sums_.assign(
-          std::size_t(job_.context.polygon_count) * k_ratio_sum_count * std::size_t(pixels), 0.0f);
+      ratio_sums_.assign(std::size_t(job_.context.area_light_count) * k_ratio_sum_count *
+                             std::size_t(pixels),
+                         0.0f);
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
       if (interrupted()) return;
@@ -92,14 +93,14 @@ public:
         const std::size_t i = std::size_t(row * k_tile + column);
         const double n = samples;
         const Vec3d mean = sum[i] / n;
-        const Vec3d polygons = shadowed_polygons(i) / n;
+        const Vec3d areas = shadowed_area_lights(i) / n;
         const auto error = [&](double m, double s2) {
           return n > 1 ? float(std::sqrt(std::max(s2 / n - m * m, 0.0) / (n - 1))) : 0.0f;
         };
         float* out = picture.radiance.pixel(x0_ + column, y0_ + row);
-        out[0] = float(mean.x + polygons.x);
-        out[1] = float(mean.y + polygons.y);
-        out[2] = float(mean.z + polygons.z);
+        out[0] = float(mean.x + areas.x);
+        out[1] = float(mean.y + areas.y);
+        out[2] = float(mean.z + areas.z);
         float* e = picture.standard_error.pixel(x0_ + column, y0_ + row);
         e[0] = error(mean.x, sum2[i].x);
         e[1] = error(mean.y, sum2[i].y);
@@ -112,12 +113,12 @@ private:
     points_.shade(job_.kernel, job_.context, samples_, ratio_sums_, k_tile_pixels);
   }
 
-  // Light of all polygons in a pixel, summed over its camera samples: the closed form times the
+  // Light of all area lights in a pixel, summed over its camera samples: the closed form times the
   // ratio of shadowed to unshadowed light. No sample found the light: no shadow is known either.
-  Vec3d shadowed_polygons(std::size_t pixel) const {
+  Vec3d shadowed_area_lights(std::size_t pixel) const {
     Vec3d total(0.0);
     if (ratio_sums_.empty()) return total;
-    for (int l = 0; l < job_.context.polygon_count; ++l) {
+    for (int l = 0; l < job_.context.area_light_count; ++l) {
       const float* sums =
           ratio_sums_.data() + std::size_t(l) * k_ratio_sum_count * k_tile_pixels + pixel;
       const auto channel = [&](int c) {
@@ -125,7 +126,7 @@ private:
         const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
         const double shadowed = sums[(k_shadowed_r + c) * k_tile_pixels];
         const double ratio = unshadowed > 0 ? shadowed / unshadowed : 1.0;
-        return closed * ratio * double(job_.context.polygons[l].radiance[c]);
+        return closed * ratio * double(job_.context.area_lights[l].radiance[c]);
       };
       total += Vec3d(channel(0), channel(1), channel(2));
     }
@@ -235,10 +236,10 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const TextureSet textures(scene);
   auto rays = RayScene::create(scene, textures);
   if (!rays.ok()) return rays.error();
-  if (scene.lights.polygons.size() > k_max_polygon_lights)
-    return Error{fmt::format("the scene has {} polygon lights, more than {}: give curved emissive "
+  if (scene.lights.area_light_count() > k_max_area_lights)
+    return Error{fmt::format("the scene has {} area lights, more than {}: give curved emissive "
                              "surfaces fewer facets",
-                             scene.lights.polygons.size(), k_max_polygon_lights)};
+                             scene.lights.area_light_count(), k_max_area_lights)};
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 
@@ -246,8 +247,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
-  context.polygons = lights.polygons.data();
-  context.polygon_count = int(lights.polygons.size());
+  context.area_lights = lights.area_lights.data();
+  context.area_light_count = int(lights.area_lights.size());
   context.punctual = lights.punctual.data();
   context.punctual_count = int(lights.punctual.size());
   context.integrator = options.integrator;

@@ -42,7 +42,7 @@ enum PointField {
   k_point_field_count
 };
 
-/// What the shadow ratio needs of one polygon light, summed over a pixel's points and samples.
+/// What the shadow ratio needs of one area light, summed over a pixel's points and samples.
 enum RatioSum {
   k_closed_r,
   k_closed_g,
@@ -65,7 +65,7 @@ struct ShadingBatch {
   const std::uint32_t* seed = nullptr;  ///< of the pixel
   const std::uint32_t* index = nullptr; ///< of the camera sample within the pixel
   float* out[3] = {};                   ///< radiance, nits, without weight
-  /// With the LTC integrator and shadows, polygon lights do not go to `out`: their weighted sums,
+  /// With the LTC integrator and shadows, area lights do not go to `out`: their weighted sums,
   /// for radiance 1, are added here, [light][RatioSum][pixel]. Else unused.
   float* ratio_sums = nullptr;
   int pixel_count = 0;
@@ -73,15 +73,26 @@ struct ShadingBatch {
 
 inline constexpr int k_batch_padding = 16;
 
-/// A polygon light with what sampling it needs; see light::PackedPolygon.
-struct PolygonLightView {
-  PolygonView shape;
-  const float* triangles = nullptr;
+enum class LightShape : std::uint8_t { polygon, ellipse, sphere, tube, line };
+
+/// A light with an extent, of any shape; see light::Emitter and the shapes beside it.
+struct AreaLightView {
+  LightShape shape = LightShape::polygon;
+  PolygonView polygon;
+  const float* triangles = nullptr; ///< of the polygon, see light::PackedPolygon
   const float* triangle_cdf = nullptr;
   int triangle_count = 0;
-  float area = 0;
-  float surface_deviation = 0; ///< see light::PolygonLight
-  float radiance[3] = {0, 0, 0};
+  float center[3] = {0, 0, 0}; ///< ellipse, sphere
+  float half_u[3] = {1, 0, 0}; ///< ellipse
+  float half_v[3] = {0, 1, 0};
+  float from[3] = {0, 0, 0}; ///< tube, line
+  float to[3] = {1, 0, 0};
+  float radius = 0;              ///< sphere, tube
+  float caps = 0;                ///< tube: 0 none, 1 flat, 2 round
+  bool two_sided = false;        ///< ellipse; the polygon has its own
+  float radiance[3] = {0, 0, 0}; ///< nits; cd/m of a line
+  float cosine_power = 0;        ///< see light::Emitter
+  float surface_deviation = 0;   ///< see light::Emitter
 };
 
 struct PunctualLightView {
@@ -111,14 +122,14 @@ enum class PunctualForm { exact, ltc };
 struct KernelContext {
   LobeTableView table;
   LobePolynomialView polynomial; ///< instead of the table, where it has coefficients
-  const PolygonLightView* polygons = nullptr;
-  int polygon_count = 0;
+  const AreaLightView* area_lights = nullptr;
+  int area_light_count = 0;
   const PunctualLightView* punctual = nullptr;
   int punctual_count = 0;
   Integrator integrator = Integrator::ltc;
   PunctualForm punctual_form = PunctualForm::exact;
-  int light_samples = 0;        ///< per point and polygon
-  int brdf_samples = 0;         ///< per point, shared by all polygons; at most k_max_brdf_samples
+  int light_samples = 0;        ///< per point and area light
+  int brdf_samples = 0;         ///< per point, shared by all lights; at most k_max_brdf_samples
   TraceShadows trace = nullptr; ///< null: no shadows
   const void* tracer = nullptr;
 };
