@@ -8,6 +8,7 @@
 // inputs of the largest differences below the table.
 
 #include "tests/shade/light_errors.h"
+
 #include "tests/shade/light_reference.h"
 
 #include <cstdio>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-//   fuzz_lights [COUNT]                COUNT lights of each shape (100000), half of them adversarial
-//   fuzz_lights --shape NAME --seed N  print one batch again
+//   fuzz_lights [COUNT]                COUNT lights of each shape (100000), half of them
+//   adversarial fuzz_lights --shape NAME --seed N  print one batch again
 //
 // Every light in float, scalar and in the lanes of every instruction set of this CPU: no NaN, no
 // infinity, nothing negative, no integral above 1 (lines, whose integrals are per metre, have no
@@ -97,6 +97,9 @@ void print_lane(const LightCase& light, const LightAnswers& a, int i, const char
   }
   std::printf("    diffuse %.9g specular %.9g shaded %.9g\n", double(a.diffuse[i]),
               double(a.specular[i]), double(a.shaded[0][i]));
+  for (const auto* v : {&a.diffuse_direction, &a.specular_direction})
+    std::printf("    direction %.9g %.9g %.9g\n", double((*v)[0][i]), double((*v)[1][i]),
+                double((*v)[2][i]));
 }
 
 int replay(LightShape shape, std::uint64_t seed) {

@@ -24,7 +24,7 @@ struct ErrorFigures {
 
 struct ShapeErrors {
   LightShape shape;
-  std::string surfaces;   ///< which roughness
+  std::string surfaces;           ///< which roughness
   ErrorFigures diffuse, specular; ///< float, against the reference
   /// Published formulas in double, specular; the reference and they leave the light below the
   /// surface in.
@@ -39,6 +39,7 @@ struct ShapeErrors {
 LightCase error_case(LightShape shape, std::uint64_t index);
 
 /// `count` random lights: from roughness 0.2 on, and below.
-std::vector<ShapeErrors> measure_light_errors(LightShape shape, std::int64_t count, int threads = 0);
+std::vector<ShapeErrors> measure_light_errors(LightShape shape, std::int64_t count,
+                                              int threads = 0);
 
 } // namespace openltc::testing

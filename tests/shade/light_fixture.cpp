@@ -38,8 +38,8 @@ Placement random_placement(const LightCase& light, Random& random) {
   const int kind = random.integer(100);
   Vec3d direction = random.sphere();
   if (kind < 45) {
-    const double spread = std::max(double(light.roughness) * double(light.roughness), 1e-4) +
-                          p.size / p.distance;
+    const double spread =
+        std::max(double(light.roughness) * double(light.roughness), 1e-4) + p.size / p.distance;
     direction = unit(mirror_direction(light) + random.sphere() * (spread * random.uniform()));
   } else if (kind < 85) {
     if (dot(direction, n) < 0) direction = -direction;
@@ -132,10 +132,11 @@ void random_surface(LightCase& light, Random& random) {
   const Vec3d n = random.sphere();
   const double cos_theta = random.uniform();
   const f64::Frame f = f64::shading_frame(n, n);
-  const double phi = random.uniform(0, 2 * f64::k_pi), sin_theta = std::sqrt(1 - cos_theta * cos_theta);
+  const double phi = random.uniform(0, 2 * f64::k_pi),
+               sin_theta = std::sqrt(1 - cos_theta * cos_theta);
   light.normal = to_float(n);
-  light.wo = to_float(f64::to_world(
-      f, Vec3d(sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta)));
+  light.wo = to_float(
+      f64::to_world(f, Vec3d(sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta)));
   const int kind = random.integer(20);
   light.roughness = kind == 0 ? 0.0f : kind == 1 ? 1.0f : float(random.log_uniform(0.01, 1));
   light.albedo = float(random.uniform());
@@ -275,6 +276,8 @@ LightCase adversarial_light(LightShape shape, Random& random) {
     p.center = to_double(whole(to_float(p.center)));
     light.position = whole(light.position);
   }
+  // Up to a billion metres: beyond, squares of squares leave single precision.
+  ratio = std::min(ratio, 1e9 / std::max(p.size, 1.0));
   place(light, p, ratio, random, false);
   if (at_light >= 0) {
     light.position = point_of(light, random);
@@ -312,8 +315,8 @@ void set_lane(LightBatch& batch, int i, const LightCase& light) {
 CaseView view_of(const LightCase& light) {
   const f32::Frame frame = f32::shading_frame(light.normal, light.wo);
   const f32::FittedLobe fitted =
-      f32::fetch_lobe(table::builtin_ggx_table().view(),
-                      f32::alpha_from_roughness(light.roughness), dot(light.normal, light.wo));
+      f32::fetch_lobe(table::builtin_ggx_table().view(), f32::alpha_from_roughness(light.roughness),
+                      dot(light.normal, light.wo));
   const f32::Lobe& l = fitted.lobe;
   return {to_double(light.position),
           {to_double(frame.t1), to_double(frame.t2), to_double(frame.n)},

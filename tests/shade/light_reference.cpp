@@ -126,8 +126,7 @@ Vec3d arc_term(const Piece& p, const f64::Lobe& lobe, double from, double to) {
   std::sort(breaks.begin(), breaks.end());
   Vec3d sum(0.0);
   for (std::size_t i = 1; i < breaks.size(); ++i)
-    if (breaks[i] > breaks[i - 1])
-      sum += integrate_adaptive(f, breaks[i - 1], breaks[i], 1e-12);
+    if (breaks[i] > breaks[i - 1]) sum += integrate_adaptive(f, breaks[i - 1], breaks[i], 1e-12);
   return sum;
 }
 
@@ -143,8 +142,8 @@ Vec3d outline_integral(const Outline& outline, const f64::Lobe& lobe, bool surfa
     const std::vector<double> breaks = horizon_breaks(p, wedge);
     for (std::size_t i = 1; i < breaks.size(); ++i)
       if (breaks[i] > breaks[i - 1])
-        intervals.push_back({&p, breaks[i - 1], breaks[i],
-                             wedge.inside(p.at(0.5 * (breaks[i - 1] + breaks[i])))});
+        intervals.push_back(
+            {&p, breaks[i - 1], breaks[i], wedge.inside(p.at(0.5 * (breaks[i - 1] + breaks[i])))});
   }
   Vec3d sum(0.0);
   const Vec3d apex(0, outline.apex, 0);
@@ -185,8 +184,9 @@ void add_ellipse(Vec3d center, Vec3d u, Vec3d v, bool two_sided, Vec3d y,
                  std::vector<Outline>& outlines) {
   const Vec3d normal = cross(u, v);
   if (dot(normal, center) >= 0 && !two_sided) return;
-  outlines.push_back({{arc(center, u, v, 0, f64::k_pi), arc(center, u, v, f64::k_pi, 2 * f64::k_pi)},
-                      apex_of_plane(normal, center, y)});
+  outlines.push_back(
+      {{arc(center, u, v, 0, f64::k_pi), arc(center, u, v, f64::k_pi, 2 * f64::k_pi)},
+       apex_of_plane(normal, center, y)});
 }
 
 // The circle in which a sphere is touched, and the basis of it with `toward` in its first axis.
@@ -213,9 +213,9 @@ void add_sphere(Vec3d center, double radius, Vec3d y, std::vector<Outline>& outl
 struct TubeShape {
   Vec3d from, to, axis; // axis unit
   double length, radius;
-  double rho;       // distance of the point from the axis
-  Vec3d radial;     // unit, from the axis towards the point
-  Vec3d side;       // axis x radial
+  double rho;                    // distance of the point from the axis
+  Vec3d radial;                  // unit, from the axis towards the point
+  Vec3d side;                    // axis x radial
   double beyond_from, beyond_to; // how far the point lies beyond either end
 
   // Seen from outside the infinite tube: the angles between the lines of tangency.
@@ -257,11 +257,11 @@ void add_lateral(const TubeShape& s, Vec3d y, std::vector<Outline>& outlines) {
   if (s.rho <= s.radius) return;
   const double beta = s.half_angle();
   const Vec3d u = s.radial * s.radius, v = s.side * s.radius;
-  outlines.push_back({{segment(s.from + s.around(-beta), s.to + s.around(-beta)),
-                       arc(s.to, u, v, -beta, beta),
-                       segment(s.to + s.around(beta), s.from + s.around(beta)),
-                       arc(s.from, u, v * -1.0, -beta, beta)},
-                      s.lateral_holds(y) ? 1.0 : -1.0});
+  outlines.push_back(
+      {{segment(s.from + s.around(-beta), s.to + s.around(-beta)), arc(s.to, u, v, -beta, beta),
+        segment(s.to + s.around(beta), s.from + s.around(beta)),
+        arc(s.from, u, v * -1.0, -beta, beta)},
+       s.lateral_holds(y) ? 1.0 : -1.0});
 }
 
 // Half of the circle where the sphere at an end is touched: the part beyond the end. From the side
@@ -271,7 +271,8 @@ Piece cap_arc(const TubeShape& s, Vec3d center, Vec3d outward, double height, do
   p.v = s.side * (length(p.u) * sign);
   const double distance = length(center);
   const double r = length(p.u);
-  const double half = std::acos(std::clamp(-height * s.radius * s.radius / (distance * r * s.rho), -1.0, 1.0));
+  const double half =
+      std::acos(std::clamp(-height * s.radius * s.radius / (distance * r * s.rho), -1.0, 1.0));
   p.from = -half;
   p.to = half;
   return p;
@@ -284,8 +285,8 @@ void add_capsule(const TubeShape& s, Vec3d y, std::vector<Outline>& outlines) {
     return;
   }
   const double beta = s.half_angle();
-  const bool holds = s.lateral_holds(y) || sphere_holds(s.from, s.radius, y) ||
-                     sphere_holds(s.to, s.radius, y);
+  const bool holds =
+      s.lateral_holds(y) || sphere_holds(s.from, s.radius, y) || sphere_holds(s.to, s.radius, y);
   outlines.push_back({{segment(s.from + s.around(-beta), s.to + s.around(-beta)),
                        cap_arc(s, s.to, s.axis, s.beyond_to, 1),
                        segment(s.to + s.around(beta), s.from + s.around(beta)),
@@ -348,8 +349,8 @@ Vec3d line_integral(const LightCase& light, const CaseView& view, const f64::Lob
     const Vec3d e1 = normalize(a), e2 = normalize(b - e1 * dot(b, e1));
     const double angle = std::atan2(length(cross(a, b)), dot(a, b));
     if (!(angle > 0)) continue;
-    const double k = length(cross(f64::to_cosine(lobe, p.at(0)), f64::to_cosine(lobe, p.at(1)))) /
-                     length(plane);
+    const double k =
+        length(cross(f64::to_cosine(lobe, p.at(0)), f64::to_cosine(lobe, p.at(1)))) / length(plane);
     const auto f = [&](double psi) {
       const Vec3d o = e1 * std::cos(psi) + e2 * std::sin(psi);
       const Vec3d m = f64::from_cosine(lobe, o);

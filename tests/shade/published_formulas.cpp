@@ -63,7 +63,7 @@ double ellipse_form_factor(Vec3d center, Vec3d u, Vec3d v) {
       x0 * x0 / a2 + y0 * y0 / b2 - 1;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(cone);
   const Eigen::Vector3d e = principal.eigenvalues(); // ascending: one negative
-  if (!(e[0] < 0 && e[1] > 0)) return 0; // rounding: seen edge-on
+  if (!(e[0] < 0 && e[1] > 0)) return 0;             // rounding: seen edge-on
   const double l1 = std::sqrt(-e[0] / e[1]), l2 = std::sqrt(-e[0] / e[2]);
   const double form_factor = l1 * l2 / std::sqrt((1 + l1 * l1) * (1 + l2 * l2));
   const Eigen::Vector3d d = principal.eigenvectors().col(0);

@@ -53,9 +53,9 @@ TEST_CASE("in float the errors of every shape are what the documentation says") 
       const std::string name = testing::shape_name(shape);
       CAPTURE(name);
       CAPTURE(e.surfaces);
-      MESSAGE(name, ", ", e.surfaces, ": specular mean ", e.specular.mean, ", p99 ",
-              e.specular.p99, ", largest ", e.specular.largest, " of a mean integral of ",
-              e.mean_integral, "; published mean ", e.published.mean);
+      MESSAGE(name, ", ", e.surfaces, ": specular mean ", e.specular.mean, ", p99 ", e.specular.p99,
+              ", largest ", e.specular.largest, " of a mean integral of ", e.mean_integral,
+              "; published mean ", e.published.mean);
       CHECK(e.specular.count > 500);
       CHECK(e.mean_integral > 0.01);
       for (const ErrorFigures& f : {e.diffuse, e.specular}) {

@@ -214,9 +214,9 @@ TEST_CASE("a light of constant flux that shrinks becomes the point light, withou
       light.albedo = 0.5f;
       light.f0 = 0.04f;
       const double lift_angle = random.uniform(0, 1.2);
-      const Vec3d w = f64::to_world(tilt, Vec3d(std::sin(lift_angle) * std::cos(turn),
-                                                std::sin(lift_angle) * std::sin(turn),
-                                                std::cos(lift_angle)));
+      const Vec3d w =
+          f64::to_world(tilt, Vec3d(std::sin(lift_angle) * std::cos(turn),
+                                    std::sin(lift_angle) * std::sin(turn), std::cos(lift_angle)));
       const double distance = random.log_uniform(0.5, 5);
       const f64::Frame axes = f64::shading_frame(random.sphere(), random.sphere());
       Vec3d u = axes.t1, v = axes.t2;
@@ -225,9 +225,9 @@ TEST_CASE("a light of constant flux that shrinks becomes the point light, withou
       if (facing < 0.2 || across < 0.2) continue;
       ++paths;
 
-      const f32::FittedLobe fitted = f32::fetch_lobe(
-          table::builtin_ggx_table().view(), f32::alpha_from_roughness(light.roughness),
-          dot(light.normal, light.wo));
+      const f32::FittedLobe fitted =
+          f32::fetch_lobe(table::builtin_ggx_table().view(),
+                          f32::alpha_from_roughness(light.roughness), dot(light.normal, light.wo));
       const f32::Surface s =
           f32::make_surface(fitted, light.position, light.normal, light.wo, Vec3f(light.albedo),
                             Vec3f(light.f0), Vec3f(1.0f), light.roughness);
@@ -249,7 +249,8 @@ TEST_CASE("a light of constant flux that shrinks becomes the point light, withou
                                  ? std::vector<testing::Ring>{testing::rectangle(2 * h, h)}
                                  : std::vector<testing::Ring>{testing::star(5, h, 0.5 * h)};
           light.polygon = std::make_shared<const testing::TestPolygon>(rings, center, u, v);
-          area = facing * h * h * (shape == LightShape::rectangle ? 2 : 5 * 0.5 * std::sin(f64::k_pi / 5));
+          area = facing * h * h *
+                 (shape == LightShape::rectangle ? 2 : 5 * 0.5 * std::sin(f64::k_pi / 5));
           break;
         }
         case LightShape::disk:
@@ -289,8 +290,8 @@ TEST_CASE("a light of constant flux that shrinks becomes the point light, withou
         const testing::CaseView view = testing::view_of(light);
         const double exact = testing::contour_integral(light, view, f64::cosine_lobe()).z;
         const int decade = std::min(step / 20, 4);
-        worst_precision[decade] = std::max(worst_precision[decade],
-                                           std::abs(double(answer.diffuse) / exact - 1));
+        worst_precision[decade] =
+            std::max(worst_precision[decade], std::abs(double(answer.diffuse) / exact - 1));
       }
     }
     MESSAGE(std::string(testing::shape_name(shape)), ": beyond its extent ", worst_limit,

@@ -42,8 +42,8 @@ TEST_CASE("the contour of every shape gives the integral over its surface") {
         seen += surface > 1e-3;
       }
     }
-    MESSAGE(std::string(testing::shape_name(shape)), ": largest difference ", worst, " of integrals up to ",
-            largest, ", ", seen, " of 120 above 1e-3");
+    MESSAGE(std::string(testing::shape_name(shape)), ": largest difference ", worst,
+            " of integrals up to ", largest, ", ", seen, " of 120 above 1e-3");
     CHECK(seen > 30);
   }
 }

@@ -34,7 +34,8 @@ TEST_CASE("published formulas agree with the reference where they are exact") {
         flipped.m20 = -lobe.m20;
         flipped.m22 = -lobe.m22;
         const bool above = testing::contour_integral(light, view, flipped, false).z == 0;
-        if (shape != LightShape::line && (!above || exact.z * exact.z < length(exact) * dot(exact, exact)))
+        if (shape != LightShape::line &&
+            (!above || exact.z * exact.z < length(exact) * dot(exact, exact)))
           continue;
         CAPTURE(int(shape));
         CAPTURE(i);
