@@ -199,7 +199,7 @@ TEST_CASE("a light of constant flux that shrinks becomes the point light, withou
   for (int k = 0; k < testing::k_light_shapes; ++k) {
     const LightShape shape = testing::shape_of_index(k);
     Random random(520 + std::uint64_t(k));
-    double worst_limit = 0, worst_step = 0, worst_precision[5] = {0, 0, 0, 0, 0};
+    double worst_limit = 0, worst_precision[4] = {0, 0, 0, 0};
     int paths = 0;
     while (paths < 60) {
       LightCase light;
@@ -279,27 +279,35 @@ TEST_CASE("a light of constant flux that shrinks becomes the point light, withou
         CAPTURE(std::string(testing::shape_name(shape)));
         CAPTURE(paths);
         CAPTURE(size);
-        // 1. To the point light: what is left is the light's extent and rounding.
-        const double extent = 40 * size; // the slope of the densities, at roughness 0.3
-        if (size < 2e-3) worst_limit = std::max(worst_limit, std::abs(value - 1) - extent);
+        // What single precision may take: corners and ends are known to 6e-8 of their distance,
+        // which is 6e-3 of a light of 1e-5, in each of several edges.
+        const bool given_by_corners =
+            testing::is_polygon(shape) || int(shape) > int(LightShape::sphere);
+        const double rounding = given_by_corners ? 6e-7 / size : 1e-4;
+        // 1. To the point light: what is left is the light's extent, the curvature of the
+        // densities at roughness 0.3, and rounding.
+        const double extent = 40 * size * size;
+        if (size < 2e-3) {
+          worst_limit = std::max(worst_limit, std::abs(value - 1));
+          CHECK(std::abs(value - 1) < extent + rounding);
+        }
         // 2. Without a step.
         if (step > 0 && size < 1e-2)
-          worst_step = std::max(worst_step, std::abs(value - previous) - 0.12 * extent);
+          CHECK(std::abs(value - previous) < 0.5 * extent + 2 * rounding);
         previous = value;
         // 3. Relative precision of the integrals on the way.
         const testing::CaseView view = testing::view_of(light);
         const double exact = testing::contour_integral(light, view, f64::cosine_lobe()).z;
-        const int decade = std::min(step / 20, 4);
+        const int decade = std::min(step / 20, 3);
         worst_precision[decade] =
             std::max(worst_precision[decade], std::abs(double(answer.diffuse) / exact - 1));
       }
     }
-    MESSAGE(std::string(testing::shape_name(shape)), ": beyond its extent ", worst_limit,
-            " from the point light, steps ", worst_step,
-            "; relative precision of the diffuse integral by decade of size from 0.1: ",
-            worst_precision[0], " ", worst_precision[1], " ", worst_precision[2], " ",
-            worst_precision[3], " ", worst_precision[4]);
-    CHECK(worst_limit < 2e-2);
-    CHECK(worst_step < 2e-2);
+    MESSAGE(
+        std::string(testing::shape_name(shape)), ": at most ", worst_limit,
+        " from the point light at sizes below 0.002; relative precision of the diffuse integral "
+        "by decade of size from 0.1: ",
+        worst_precision[0], " ", worst_precision[1], " ", worst_precision[2], " ",
+        worst_precision[3]);
   }
 }
