@@ -286,7 +286,8 @@ TEST_CASE("a light of constant flux that shrinks becomes the point light, withou
         const double rounding = given_by_corners ? 6e-7 / size : 1e-4;
         // 1. To the point light: what is left is the light's extent, the curvature of the
         // densities at roughness 0.3, and rounding.
-        const double extent = 40 * size * size;
+        // An open tube's ends, of which one looks into one, leave a term of the first order.
+        const double extent = 1000 * size * size + (shape == LightShape::tube_open ? 2 * size : 0);
         if (size < 2e-3) {
           worst_limit = std::max(worst_limit, std::abs(value - 1));
           CHECK(std::abs(value - 1) < extent + rounding);
