@@ -6,6 +6,8 @@
 #include "openltc/target/vec.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace openltc::bench {
 
@@ -37,6 +39,9 @@ struct Number {
 
 // The scalar prelude asks std for its functions; from here it finds these.
 namespace std {
+using ::std::int32_t;
+using ::std::ptrdiff_t;
+using ::std::size_t;
 inline Number abs(Number a) { return Number(::std::abs(a.v)); }
 inline Number sqrt(Number a) { return ++operations, Number(::std::sqrt(a.v)); }
 inline Number sin(Number a) { return ++operations, Number(::std::sin(a.v)); }
