@@ -6,13 +6,14 @@
 JOBS ?= $(shell nproc)
 CLANG_FORMAT ?= clang-format-14
 FUZZ_SECONDS ?= 60
+FUZZ_LIGHTS ?= 10000000
 FUZZ_CXX ?= $(firstword $(shell command -v clang++-14 clang++ clang++-19 clang++-18))
 sources = $(shell git ls-files '*.h' '*.cpp')
 
-.PHONY: help setup build demo test bench format sanitize fuzz clean
+.PHONY: help setup build demo test bench format sanitize fuzz fuzz-lights clean
 
 help: ## Print this list (default)
-	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
 
 setup: ## Install the system packages of tools/packages.txt
 	@tools/setup.sh
@@ -43,6 +44,9 @@ fuzz: setup ## Fuzz every reader of files for FUZZ_SECONDS (60) each
 	cmake --preset fuzz -DCMAKE_CXX_COMPILER=$(FUZZ_CXX)
 	cmake --build --preset fuzz --parallel $(JOBS) --target fuzz
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) tools/fuzz.sh build/fuzz
+
+fuzz-lights: build ## Evaluate FUZZ_LIGHTS (10000000) random and adversarial lights of each shape
+	@build/release/bin/fuzz_lights $(FUZZ_LIGHTS)
 
 clean: ## Delete everything built and rendered
 	rm -rf build out

@@ -167,6 +167,14 @@ FN_CALL Cone make_cone(Vec3 center, Vec3 a, Vec3 b) {
   Real s1 = max(max(j.s11, j.s22), Real(0.0));
   Real s2 = max(min(j.s11, j.s22), Real(0.0));
   Real negative = max(-j.s33, Real(1.0e-14));
+  // The product of the eigenvalues is -det(K)^2, which keeps its digits where the smallest of them,
+  // a difference of large numbers, has none left: in the flat cones of narrow lobes.
+  Real det = abs(dot(cross(p, q), c));
+  Real det_over_s1 = det / max(s1, Real(k_tiny));
+  Real small_s2 = min(det_over_s1 * (det / negative), s1);
+  s2 = select(s2 < Real(0.01) * min(s1, negative), small_s2, s2);
+  Real small_negative = max(det_over_s1 * (det / max(s2, Real(k_tiny))), Real(1.0e-14));
+  negative = select(negative < Real(0.01) * s2, small_negative, negative);
   Real inv1 = inversesqrt(s1 + negative);
   Real inv2 = inversesqrt(s2 + negative);
   Real root = sqrt(negative);

@@ -60,7 +60,9 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
 FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
   Real weight = schlick_weight_between(s.wo, wi) + share * s.axis_weight;
   Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, Real(0.0)), Real(1.0));
-  return fresnel * (s.fitted.n1 * share);
+  // A part of the hemisphere reflects no more than the whole, s.specular.
+  Vec3 part = fresnel * (s.fitted.n1 * share);
+  return Vec3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
 }
 
 struct ShadedLight {

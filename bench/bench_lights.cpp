@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Nanoseconds per evaluation of a light of each shape: frame, look-up of the lobe, diffuse and
+// specular integral clipped to both horizons, reflectance. Scalar and in the lanes of every
+// instruction set of this CPU, on one core.
+//
+// In the same run: a quad in the usual scalar formulation, and how many times faster lanes are; the
+// multiply-adds that this CPU can do, and the fraction of them that a quad needs.
+
+#include "bench/counted.h"
+#include "bench/fma_peak.h"
+#include "bench/usual_quad.h"
+#include "openltc/table/lobe_table.h"
+#include "tests/shade/light_fixture.h"
+#include "tests/shade/light_targets.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace openltc;
+using testing::k_batch;
+using testing::LightAnswers;
+using testing::LightBatch;
+using testing::LightCase;
+using testing::LightShape;
+using testing::LightTarget;
+using testing::Random;
+
+namespace {
+
+constexpr int k_batches = 64;
+
+struct Work {
+  std::vector<LightCase> lights; // they own the polygons
+  std::vector<LightBatch> batches;
+
+  void add(const std::vector<LightCase>& sixteen) {
+    batches.emplace_back();
+    for (int i = 0; i < k_batch; ++i)
+      testing::set_lane(batches.back(), i, sixteen[std::size_t(i)]);
+    lights.insert(lights.end(), sixteen.begin(), sixteen.end());
+  }
+};
+
+/// Random lights of a shape; polygons are shared by the points of a batch.
+Work random_work(LightShape shape) {
+  Work work;
+  Random random(31);
+  for (int b = 0; b < k_batches; ++b) {
+    std::vector<LightCase> sixteen;
+    for (int i = 0; i < k_batch; ++i)
+      sixteen.push_back(i > 0 && testing::is_polygon(shape)
+                            ? testing::elsewhere(sixteen[0], false, random)
+                            : testing::random_light(shape, random));
+    work.add(sixteen);
+  }
+  return work;
+}
+
+/// A floor's points under a quad: a ceiling lamp, or a wall that the floor's horizon cuts.
+Work quad_work(bool cut) {
+  Work work;
+  Random random(32);
+  for (int b = 0; b < k_batches; ++b) {
+    const double x = random.uniform(-3, 3), y = random.uniform(-3, 3);
+    const auto quad = cut ? std::make_shared<const testing::TestPolygon>(
+                                std::vector<testing::Ring>{testing::rectangle(2, 3)},
+                                Vec3d(x, 4, 0.5), Vec3d(1, 0, 0), Vec3d(0, 0, 1))
+                          : std::make_shared<const testing::TestPolygon>(
+                                std::vector<testing::Ring>{testing::rectangle(2, 2)},
+                                Vec3d(x, y, 4), Vec3d(0, 1, 0), Vec3d(1, 0, 0));
+    std::vector<LightCase> sixteen(k_batch);
+    for (LightCase& light : sixteen) {
+      light.shape = LightShape::rectangle;
+      light.polygon = quad;
+      light.position = Vec3f(float(random.uniform(-2, 2)), float(random.uniform(-2, 2)), 0);
+      Vec3d view = random.sphere();
+      view.z = 0.1 + std::abs(view.z);
+      light.wo = testing::to_float(normalize(view));
+      light.roughness = float(random.uniform());
+    }
+    work.add(sixteen);
+  }
+  return work;
+}
+
+benchmark::Counter per_evaluation(int evaluations) {
+  return benchmark::Counter(1e-9 * evaluations, benchmark::Counter::kIsIterationInvariantRate |
+                                                    benchmark::Counter::kInvert);
+}
+
+void run_target(benchmark::State& state, const Work& work, testing::EvaluateLights evaluate) {
+  const LobeTableView table = table::builtin_ggx_table().view();
+  LightAnswers answers;
+  for (auto _ : state)
+    for (const LightBatch& batch : work.batches) {
+      evaluate(batch, table, &answers);
+      benchmark::DoNotOptimize(answers.shaded[0]);
+      benchmark::ClobberMemory();
+    }
+  state.counters["ns/eval"] = per_evaluation(k_batches * k_batch);
+}
+
+void run_usual(benchmark::State& state, const Work& work) {
+  const bench::UsualTable table = bench::usual_table();
+  float out[k_batch];
+  for (auto _ : state)
+    for (const LightBatch& batch : work.batches) {
+      bench::usual_quad(batch, table, 0, k_batch, out);
+      benchmark::DoNotOptimize(out);
+      benchmark::ClobberMemory();
+    }
+  state.counters["ns/eval"] = per_evaluation(k_batches * k_batch);
+}
+
+void run_peak(benchmark::State& state, bench::FmaPeak peak) {
+  float sink[2] = {0.001f, 0};
+  double operations = 0;
+  for (auto _ : state) {
+    operations += peak(10000, sink);
+    benchmark::DoNotOptimize(sink);
+  }
+  state.counters["Gflop/s"] = benchmark::Counter(1e-9 * operations, benchmark::Counter::kIsRate);
+}
+
+/// Keeps what the console prints.
+class Keeper : public benchmark::ConsoleReporter {
+public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs)
+      for (const auto& counter : run.counters) {
+        // Median of repetitions where there are any.
+        if (run.run_type == Run::RT_Aggregate && run.aggregate_name != "median") continue;
+        values[run.run_name.function_name + " " + counter.first] = double(counter.second);
+      }
+  }
+  double value(const std::string& key) const {
+    const auto found = values.find(key);
+    return found == values.end() ? 0 : found->second;
+  }
+  std::map<std::string, double> values;
+};
+
+struct NamedPeak {
+  const char* name;
+  bench::FmaPeak peak;
+};
+const NamedPeak k_peaks[] = {
+#if defined(__x86_64__)
+    {"sse4", bench::fma_peak_sse4},
+    {"avx2", bench::fma_peak_avx2},
+    {"avx512", bench::fma_peak_avx512}
+#else
+    {"baseline", bench::fma_peak_baseline}
+#endif
+};
+
+double mean_operations(const Work& work) {
+  double sum = 0;
+  for (const LightBatch& batch : work.batches)
+    sum += bench::count_operations(batch, table::builtin_ggx_table().view());
+  return sum / double(work.batches.size());
+}
+
+/// Both formulations of a quad must find the same light, or their times say nothing: the mean
+/// difference of the specular integral, taken with a reflectance of n1. Their tables hold other
+/// numbers, which interpolate otherwise between nodes.
+double difference_from_usual(const Work& work) {
+  const LobeTableView lobes = table::builtin_ggx_table().view();
+  const bench::UsualTable table = bench::usual_table();
+  double sum = 0;
+  for (LightBatch batch : work.batches) {
+    std::fill_n(batch.f0, k_batch, 1.0f);
+    std::fill_n(batch.albedo, k_batch, 0.0f);
+    LightAnswers answers;
+    testing::evaluate_lights_scalar(batch, lobes, &answers);
+    float out[k_batch];
+    bench::usual_quad(batch, table, 0, k_batch, out);
+    for (int i = 0; i < k_batch; ++i) {
+      const Vec3f n(batch.normal[0][i], batch.normal[1][i], batch.normal[2][i]);
+      const Vec3f wo(batch.wo[0][i], batch.wo[1][i], batch.wo[2][i]);
+      const float n1 =
+          f32::fetch_lobe(lobes, f32::alpha_from_roughness(batch.roughness[i]), dot(n, wo)).n1;
+      sum += double(std::abs(out[i] / n1 - answers.specular[i]));
+    }
+  }
+  return sum / double(work.batches.size() * k_batch);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  std::vector<Work> shapes;
+  for (int k = 0; k < testing::k_light_shapes; ++k)
+    shapes.push_back(random_work(testing::shape_of_index(k)));
+  const Work quads[2] = {quad_work(false), quad_work(true)};
+  const char* const quad_names[2] = {"quad_above", "quad_cut"};
+
+  for (const LightTarget& target : testing::light_targets()) {
+    const std::string suffix = std::string("/") + target.name;
+    for (int q = 0; q < 2; ++q)
+      benchmark::RegisterBenchmark((quad_names[q] + suffix).c_str(), run_target,
+                                   std::cref(quads[q]), target.evaluate);
+    for (int k = 0; k < testing::k_light_shapes; ++k)
+      benchmark::RegisterBenchmark(
+          (testing::shape_name(testing::shape_of_index(k)) + suffix).c_str(), run_target,
+          std::cref(shapes[std::size_t(k)]), target.evaluate);
+    for (const NamedPeak& p : k_peaks)
+      if (p.name == std::string(target.name))
+        benchmark::RegisterBenchmark((std::string("peak") + suffix).c_str(), run_peak, p.peak);
+  }
+  for (int q = 0; q < 2; ++q)
+    benchmark::RegisterBenchmark((quad_names[q] + std::string("/usual")).c_str(), run_usual,
+                                 std::cref(quads[q]));
+  benchmark::Initialize(&argc, argv);
+  Keeper keeper;
+  benchmark::RunSpecifiedBenchmarks(&keeper);
+
+  for (int q = 0; q < 2; ++q) {
+    const std::string name = quad_names[q];
+    const double usual = keeper.value(name + "/usual ns/eval");
+    if (usual <= 0) continue;
+    const double operations = mean_operations(quads[q]);
+    std::printf("\n%s: %.0f floating-point operations; usual scalar formulation %.1f ns, "
+                "mean difference of the specular integral from it %.1e\n",
+                name.c_str(), operations, usual, difference_from_usual(quads[q]));
+    for (const LightTarget& target : testing::light_targets()) {
+      const double ns = keeper.value(name + "/" + target.name + " ns/eval");
+      const double peak = keeper.value(std::string("peak/") + target.name + " Gflop/s");
+      if (ns <= 0) continue;
+      std::printf("  %-8s %6.1f ns, %5.1f times the usual formulation's speed", target.name, ns,
+                  usual / ns);
+      if (peak > 0) std::printf(", %4.1f %% of %.0f Gflop/s", 100 * operations / ns / peak, peak);
+      std::printf("\n");
+    }
+  }
+}

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The closed forms of every shape against the reference: in double, where only a wrong formula
+// would show, and in float, the figures that the documentation states. `tools/light_figures.sh`
+// measures the same on many more lights.
+
+#include "light_errors.h"
+#include "light_reference.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace openltc;
+using testing::ErrorFigures;
+using testing::LightCase;
+using testing::LightShape;
+using testing::Random;
+
+TEST_CASE("in double every shape's integral is exact") {
+  for (int k = 0; k < testing::k_light_shapes; ++k) {
+    const LightShape shape = testing::shape_of_index(k);
+    double worst = 0;
+    std::uint64_t where = 0;
+    for (std::uint64_t i = 0; i < 3000; ++i) {
+      const LightCase light = testing::error_case(shape, i);
+      testing::CaseView view = testing::view_of(light);
+      // Orthonormal in double as well, or a sphere would not stay one.
+      view.frame = f64::shading_frame(normalize(testing::to_double(light.normal)),
+                                      normalize(testing::to_double(light.wo)));
+      const f64::LightIntegral integral = testing::evaluate_precise(light, view);
+      const double diffuse = testing::contour_integral(light, view, f64::cosine_lobe()).z;
+      const double specular = testing::contour_integral(light, view, view.lobe).z;
+      const double difference =
+          std::max(std::abs(integral.diffuse - diffuse) / std::max(diffuse, 1.0),
+                   std::abs(integral.specular - specular) / std::max(specular, 1.0));
+      if (!(difference <= worst)) {
+        worst = difference;
+        where = i;
+      }
+    }
+    MESSAGE(std::string(testing::shape_name(shape)), ": largest difference ", worst, " in case ",
+            where);
+    // The fits of angles are good to 1e-9. A point within 2e-6 of a polygon's plane gets nothing.
+    CHECK(worst < (testing::is_polygon(shape) ? 1e-4 : 1e-6));
+  }
+}
+
+TEST_CASE("in float the errors of every shape are what the documentation says") {
+  for (int k = 0; k < testing::k_light_shapes; ++k) {
+    const LightShape shape = testing::shape_of_index(k);
+    for (const testing::ShapeErrors& e : testing::measure_light_errors(shape, 3000)) {
+      const std::string name = testing::shape_name(shape);
+      CAPTURE(name);
+      CAPTURE(e.surfaces);
+      MESSAGE(name, ", ", e.surfaces, ": specular mean ", e.specular.mean, ", p99 ", e.specular.p99,
+              ", largest ", e.specular.largest, " of a mean integral of ", e.mean_integral,
+              "; published mean ", e.published.mean);
+      CHECK(e.specular.count > 500);
+      CHECK(e.mean_integral > 0.01);
+      for (const ErrorFigures& f : {e.diffuse, e.specular}) {
+        CHECK(f.mean < 1e-5);
+        CHECK(f.p99 < 5e-5);
+      }
+      // The published approximations are there to be beaten; of lines the formula is exact.
+      if (shape != LightShape::line) CHECK(e.specular.mean < 0.1 * e.published.mean);
+    }
+  }
+}
+
+TEST_CASE("directions point to the mean of the light that counts") {
+  for (int k = 0; k < testing::k_light_shapes; ++k) {
+    const LightShape shape = testing::shape_of_index(k);
+    int compared = 0;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+      const LightCase light = testing::error_case(shape, i);
+      if (light.roughness < 0.1f) continue;
+      const testing::CaseView view = testing::view_of(light);
+      const Vec3d diffuse = testing::contour_integral(light, view, f64::cosine_lobe());
+      const Vec3d specular = testing::contour_integral(light, view, view.lobe);
+      const testing::CaseAnswer answer = testing::evaluate(light);
+      CAPTURE(k);
+      CAPTURE(i);
+      if (diffuse.z > 1e-3)
+        CHECK(length(testing::to_double(answer.diffuse_direction) - normalize(diffuse)) < 1e-3);
+      if (specular.z > 1e-3) {
+        const Vec3d mean = normalize(f64::from_cosine(view.lobe, specular));
+        CHECK(length(testing::to_double(answer.specular_direction) - mean) < 1e-3);
+        ++compared;
+      }
+    }
+    CHECK(compared > 100);
+  }
+}
