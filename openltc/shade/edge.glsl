@@ -51,12 +51,16 @@ FN Real theta_over_sin(Real x, Real sin2) {
 /// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
 /// itself so that the cross product of a small, far edge does not cancel. Never longer than pi: a
 /// vector over its length, times an angle.
-FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {
-  Real inv_a = inversesqrt(max(dot(a, a), Real(k_tiny)));
-  Real inv_b = inversesqrt(max(dot(b, b), Real(k_tiny)));
+/// inv_a, inv_b: one over the lengths of a and b.
+FN Vec3 edge_term_scaled(Vec3 a, Vec3 b, Vec3 d, Real inv_a, Real inv_b) {
   Real x = dot(a, b) * inv_a * inv_b;
   Vec3 c = cross(a * inv_a, d * inv_b);
   return c * theta_over_sin(x, dot(c, c));
+}
+
+FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {
+  return edge_term_scaled(a, b, d, inversesqrt(max(dot(a, a), Real(k_tiny))),
+                          inversesqrt(max(dot(b, b), Real(k_tiny))));
 }
 
 /// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
@@ -102,21 +106,33 @@ FN ClippedEdge clip_edge(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
   return edge;
 }
 
-/// One edge of the outline, clipped to the wedge and closed towards the apex where it was cut.
-FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
+/// One edge of the outline, clipped to the wedge and closed towards the apex where it was cut. An
+/// outline passes the inverse lengths of its points on from edge to edge.
+FN Vec3 clipped_edge_term_scaled(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s, Real inv_a,
+                                 Real inv_b) {
   Vec3 d = b_o - a_o;
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   Mask a_inside = a_z >= Real(0.0) && a_o.z >= Real(0.0);
   Mask b_inside = b_z >= Real(0.0) && b_o.z >= Real(0.0);
-  // Uniform shortcut: no lane needs to clip.
+  // Uniform shortcuts: no lane needs to clip, or none has anything left.
   if (all_lanes(a_inside && b_inside)) {
-    return edge_term(a_o, b_o, d);
+    return edge_term_scaled(a_o, b_o, d, inv_a, inv_b);
+  }
+  if (!any_lane((a_z >= Real(0.0) || b_z >= Real(0.0)) &&
+                (a_o.z >= Real(0.0) || b_o.z >= Real(0.0)))) {
+    return none;
   }
   ClippedEdge edge = clip_edge(a_o, b_o, a_z, b_z);
-  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   Vec3 sum = edge_term(edge.p0, edge.p1, d * edge.extent);
   sum = sum - select(a_inside, none, apex_term(edge.p0, s));
   sum = sum + select(b_inside, none, apex_term(edge.p1, s));
   return select(edge.outside, none, sum);
+}
+
+FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
+  return clipped_edge_term_scaled(a_o, b_o, a_z, b_z, s,
+                                  inversesqrt(max(dot(a_o, a_o), Real(k_tiny))),
+                                  inversesqrt(max(dot(b_o, b_o), Real(k_tiny))));
 }
 
 /// The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own

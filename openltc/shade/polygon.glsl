@@ -38,16 +38,23 @@ FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Re
   sums.specular = sums.diffuse;
   Vec3 a = Vec3(Real(0.0), Real(0.0), Real(1.0));
   Vec3 a_o = a;
+  Real inv_a = Real(1.0);
+  Real inv_a_o = Real(1.0);
   int count = polygon_point_count(polygon);
   for (int i = 0; i < count; ++i) {
     Vec3 b = to_shading(frame, polygon_point(polygon, i) - position);
     Vec3 b_o = to_cosine(lobe, b);
+    Real inv_b = inversesqrt(max(dot(b, b), Real(k_tiny)));
+    Real inv_b_o = inversesqrt(max(dot(b_o, b_o), Real(k_tiny)));
     if (!polygon_starts_ring(polygon, i)) {
-      sums.diffuse = sums.diffuse + clipped_edge_term(a, b, a.z, b.z, s);
-      sums.specular = sums.specular + clipped_edge_term(a_o, b_o, a.z, b.z, s);
+      sums.diffuse = sums.diffuse + clipped_edge_term_scaled(a, b, a.z, b.z, s, inv_a, inv_b);
+      sums.specular =
+          sums.specular + clipped_edge_term_scaled(a_o, b_o, a.z, b.z, s, inv_a_o, inv_b_o);
     }
     a = b;
     a_o = b_o;
+    inv_a = inv_b;
+    inv_a_o = inv_b_o;
   }
   return sums;
 }

@@ -240,7 +240,7 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"integrate_tube", 1e-4},
       {"integrate_line", 1e-4},
       {"intersect_tube", 5e-3},
-      {"sample_tube", 1e-5},
+      {"sample_tube", 3e-5},
       {"sample_line", 1e-5},
       {"sample_ellipse", 1e-5},
       {"sample_sphere", 1e-5},
