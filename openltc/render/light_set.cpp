@@ -39,6 +39,7 @@ LightSet pack_lights(const light::Lights& lights) {
     view.surface_deviation = kept.surface_deviation;
     copy3(view.radiance, kept.radiance);
     set.polygons.push_back(view);
+    set.extents.push_back(light_extent(light));
   }
   for (const light::PunctualLight& light : lights.punctual) {
     if (const Status valid = light::validate(light); !valid.ok()) {

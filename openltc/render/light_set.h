@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/light/packed_polygon.h"
+#include "openltc/render/light_bound.h"
 #include "openltc/render/shading_kernel.h"
 
 #include <string>
@@ -17,6 +18,7 @@ namespace openltc::render {
 struct LightSet {
   std::vector<light::PackedPolygon> packed;
   std::vector<PolygonLightView> polygons;
+  std::vector<LightExtent> extents; ///< of the polygons
   std::vector<PunctualLightView> punctual;
   std::vector<std::string> warnings; ///< lights that were left out, and why
 };

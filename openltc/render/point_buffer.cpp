@@ -41,11 +41,9 @@ void PointBuffer::add(const SurfacePoint& p, const PointTarget& target) {
   weight_[i] = target.weight;
 }
 
-void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
-                        std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
-                        int pixel_count) {
-  if (count_ == 0) return;
-  // Fill the last register with copies of the last point, so that every lane holds valid numbers.
+// Arrays of the points, the last register filled with copies of the last point, so that every lane
+// holds valid numbers.
+ShadingBatch PointBuffer::batch() {
   for (std::size_t i = count_; i % k_batch_padding != 0; ++i) {
     for (auto& field : fields_)
       field[i] = field[count_ - 1];
@@ -62,14 +60,46 @@ void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
     batch.out[c] = out_[c].data();
   batch.weight = weight_.data();
   batch.pixel = pixel_.data();
-  batch.ratio_sums = ratio_sums.data();
-  batch.pixel_count = pixel_count;
   batch.seed = seed_.data();
   batch.index = index_.data();
+  return batch;
+}
+
+BatchBounds PointBuffer::measure(const Kernel& kernel, const KernelContext& context) {
+  BatchBounds bounds;
+  kernel.measure(context, batch(), &bounds);
+  return bounds;
+}
+
+void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, ShadingBatch batch,
+                        std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
+                        int pixel_count) {
+  batch.ratio_sums = ratio_sums.data();
+  batch.pixel_count = pixel_count;
   kernel.shade(context, batch);
   for (std::size_t i = 0; i < count_; ++i)
     samples[sample_[i]] += Vec3f(out_[0][i], out_[1][i], out_[2][i]) * weight_[i];
   count_ = 0;
+}
+
+void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
+                        std::span<const std::int32_t> lights, std::span<const std::int32_t> slots,
+                        std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
+                        int pixel_count) {
+  if (count_ == 0) return;
+  static constexpr std::int32_t none = 0; // an empty list is not the null that means all
+  ShadingBatch chosen = batch();
+  chosen.lights = lights.empty() ? &none : lights.data();
+  chosen.slots = slots.data();
+  chosen.light_count = int(lights.size());
+  shade(kernel, context, chosen, samples, ratio_sums, pixel_count);
+}
+
+void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
+                        std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
+                        int pixel_count) {
+  if (count_ == 0) return;
+  shade(kernel, context, batch(), samples, ratio_sums, pixel_count);
 }
 
 } // namespace openltc::render

@@ -9,6 +9,7 @@
 #include "openltc/render/surface_point.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace openltc::render {
@@ -29,11 +30,26 @@ public:
   bool full() const { return count_ == capacity_; }
   void add(const SurfacePoint& point, const PointTarget& target);
 
-  /// Shades all points, adds to `samples` and `ratio_sums` (see ShadingBatch) and becomes empty.
+  bool empty() const { return count_ == 0; }
+  std::size_t size() const { return count_; }
+
+  /// The bounds of all points; there must be one.
+  BatchBounds measure(const Kernel& kernel, const KernelContext& context);
+
+  /// Shades all points by the polygon lights of `lights`, whose sums have the numbers `slots`, adds
+  /// to `samples` and `ratio_sums` (see ShadingBatch) and becomes empty.
+  void shade(const Kernel& kernel, const KernelContext& context,
+             std::span<const std::int32_t> lights, std::span<const std::int32_t> slots,
+             std::vector<Vec3f>& samples, std::vector<float>& ratio_sums, int pixel_count);
+  /// The same by all lights.
   void shade(const Kernel& kernel, const KernelContext& context, std::vector<Vec3f>& samples,
              std::vector<float>& ratio_sums, int pixel_count);
 
 private:
+  ShadingBatch batch();
+  void shade(const Kernel& kernel, const KernelContext& context, ShadingBatch batch,
+             std::vector<Vec3f>& samples, std::vector<float>& ratio_sums, int pixel_count);
+
   std::size_t capacity_, count_ = 0;
   std::array<std::vector<float>, k_point_field_count> fields_;
   std::array<std::vector<float>, 3> out_;

@@ -11,7 +11,9 @@
 #include "openltc/base/sampling.h"
 #include "openltc/image/file.h"
 #include "openltc/render/camera_rays.h"
+#include "openltc/render/light_level.h"
 #include "openltc/render/light_set.h"
+#include "openltc/render/light_tree.h"
 #include "openltc/render/point_buffer.h"
 #include "openltc/render/ray_scene.h"
 #include "openltc/render/surface_point.h"
@@ -19,8 +21,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 namespace openltc::render {
 
@@ -33,7 +37,8 @@ constexpr int k_max_size = 32768;        // pixels on a side
 constexpr int k_tile_pixels = k_tile * k_tile;
 constexpr std::size_t k_batch = 4096; // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
-constexpr std::size_t k_max_polygon_lights = 20000; // 180 MB of shadow sums per thread
+// Fewer lights than this are all shaded: choosing among them costs as much.
+constexpr int k_min_lights_to_choose = 6;
 
 static_assert(k_tile == RayPacket::k_size);
 
@@ -49,6 +54,13 @@ struct Job {
   const RayScene& rays;
   Kernel kernel;
   KernelContext context;
+  const LightTree* tree = nullptr; ///< null: all lights shade all points
+  double tolerance_nits = 0;       ///< of what the tree leaves out
+};
+
+/// Pairs of surface point and light, of how many points.
+struct ShadedCount {
+  std::atomic<std::int64_t> pairs{0}, points{0};
 };
 
 bool needs_ratio(const KernelContext& context) {
@@ -64,13 +76,12 @@ public:
       : job_(job), x0_(x0), y0_(y0), width_(std::min(k_tile, job.options.width - x0)),
         height_(std::min(k_tile, job.options.height - y0)), points_(k_batch) {}
 
-  void render(Picture& picture) {
+  void render(Picture& picture, ShadedCount& shaded) {
     const int samples = job_.options.samples;
     const int pixels = k_tile_pixels;
     std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
     if (needs_ratio(job_.context))
-      ratio_sums_.assign(
-          std::size_t(job_.context.polygon_count) * k_ratio_sum_count * std::size_t(pixels), 0.0f);
+      slot_of_light_.assign(std::size_t(job_.context.polygon_count), -1);
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
       if (interrupted()) return;
@@ -105,27 +116,54 @@ public:
         e[1] = error(mean.y, sum2[i].y);
         e[2] = error(mean.z, sum2[i].z);
       }
+    shaded.pairs += pairs_;
+    shaded.points += shaded_points_;
   }
 
 private:
   void shade_points() {
-    points_.shade(job_.kernel, job_.context, samples_, ratio_sums_, k_tile_pixels);
+    if (points_.empty()) return;
+    if (job_.tree) {
+      const BatchBounds bounds = points_.measure(job_.kernel, job_.context);
+      job_.tree->select(bounds, job_.tolerance_nits, lights_, scratch_);
+    } else if (lights_.empty()) {
+      lights_.resize(std::size_t(job_.context.polygon_count));
+      std::iota(lights_.begin(), lights_.end(), 0);
+    }
+    if (needs_ratio(job_.context)) give_slots();
+    shaded_points_ += std::int64_t(points_.size());
+    pairs_ += std::int64_t(points_.size() * lights_.size());
+    points_.shade(job_.kernel, job_.context, lights_, slots_, samples_, ratio_sums_, k_tile_pixels);
+  }
+
+  // Sums for the lights that this tile meets for the first time.
+  void give_slots() {
+    slots_.clear();
+    for (const std::int32_t light : lights_) {
+      std::int32_t& slot = slot_of_light_[std::size_t(light)];
+      if (slot < 0) {
+        slot = std::int32_t(light_of_slot_.size());
+        light_of_slot_.push_back(light);
+      }
+      slots_.push_back(slot);
+    }
+    ratio_sums_.resize(light_of_slot_.size() * k_ratio_sum_count * std::size_t(k_tile_pixels),
+                       0.0f);
   }
 
   // Light of all polygons in a pixel, summed over its camera samples: the closed form times the
   // ratio of shadowed to unshadowed light. No sample found the light: no shadow is known either.
   Vec3d shadowed_polygons(std::size_t pixel) const {
     Vec3d total(0.0);
-    if (ratio_sums_.empty()) return total;
-    for (int l = 0; l < job_.context.polygon_count; ++l) {
-      const float* sums =
-          ratio_sums_.data() + std::size_t(l) * k_ratio_sum_count * k_tile_pixels + pixel;
+    for (std::size_t slot = 0; slot < light_of_slot_.size(); ++slot) {
+      const PolygonLightView& light = job_.context.polygons[light_of_slot_[slot]];
+      const float* sums = ratio_sums_.data() + slot * k_ratio_sum_count * k_tile_pixels + pixel;
       const auto channel = [&](int c) {
         const double closed = sums[(k_closed_r + c) * k_tile_pixels];
         const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
         const double shadowed = sums[(k_shadowed_r + c) * k_tile_pixels];
         const double ratio = unshadowed > 0 ? shadowed / unshadowed : 1.0;
-        return closed * ratio * double(job_.context.polygons[l].radiance[c]);
+        return closed * ratio * double(light.radiance[c]);
       };
       total += Vec3d(channel(0), channel(1), channel(2));
     }
@@ -205,7 +243,12 @@ private:
   int x0_, y0_, width_, height_;
   PointBuffer points_;
   std::vector<Vec3f> samples_;
-  std::vector<float> ratio_sums_; // see ShadingBatch; empty unless the ratio is needed
+  // The lights that shade the points in work; where their sums are, see ShadingBatch.
+  std::vector<std::int32_t> lights_, slots_;
+  LightTree::Scratch scratch_;
+  std::vector<float> ratio_sums_; // empty unless the ratio is needed, as are the next two
+  std::vector<std::int32_t> slot_of_light_, light_of_slot_;
+  std::int64_t shaded_points_ = 0, pairs_ = 0;
 };
 
 Status check(const RenderOptions& o) {
@@ -219,6 +262,8 @@ Status check(const RenderOptions& o) {
     return Error{fmt::format("samples per pixel: {} is not in 1 to {}", o.samples, 1 << 20)};
   if (o.shadow_samples < 0 || o.shadow_samples > 4096)
     return Error{fmt::format("shadow samples: {} is not in 0 to 4096", o.shadow_samples)};
+  if (!(o.light_error >= 0 && o.light_error <= 1))
+    return Error{fmt::format("light error: {} is not in 0 to 1", o.light_error)};
   return Success{};
 }
 
@@ -235,14 +280,10 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const TextureSet textures(scene);
   auto rays = RayScene::create(scene, textures);
   if (!rays.ok()) return rays.error();
-  if (scene.lights.polygons.size() > k_max_polygon_lights)
-    return Error{fmt::format("the scene has {} polygon lights, more than {}: give curved emissive "
-                             "surfaces fewer facets",
-                             scene.lights.polygons.size(), k_max_polygon_lights)};
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 
-  Job job{scene, options, camera_rays, textures, **rays, kernel, {}};
+  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, 0};
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
@@ -266,13 +307,24 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
     context.tracer = rays->get();
   }
 
+  LightTree tree;
+  if (!reference && options.light_error > 0 && context.polygon_count >= k_min_lights_to_choose) {
+    tree = LightTree(lights.extents);
+    job.tree = &tree;
+    job.tolerance_nits = double(options.light_error) *
+                         light_level_nits(scene, textures, **rays, camera_rays, options.width,
+                                          options.height, kernel, context, options.threads);
+  }
+
   Picture picture;
+  picture.light_error_nits = job.tolerance_nits;
   picture.radiance = image::Image(options.width, options.height, 3);
   picture.standard_error = image::Image(options.width, options.height, 3);
   picture.kernel = kernel.name;
   picture.warnings = lights.warnings;
   picture.build_seconds = seconds_since(build_start);
 
+  ShadedCount shaded;
   const auto render_start = std::chrono::steady_clock::now();
   const int columns = (options.width + k_tile - 1) / k_tile;
   const int rows = (options.height + k_tile - 1) / k_tile;
@@ -280,11 +332,13 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
     Progress progress("rendering", std::int64_t(columns) * rows, options.quiet);
     parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
       if (interrupted()) return;
-      Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture);
+      Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, shaded);
       progress.add(1);
     });
   }
   if (interrupted()) return Error{"interrupted; nothing was written"};
+  picture.lights_per_point =
+      double(shaded.pairs) / double(std::max<std::int64_t>(shaded.points, 1));
   picture.render_seconds = seconds_since(render_start);
   return picture;
 }

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "openltc/render/batch_bounds.h"
 #include "openltc/target/resources.h"
 
 #include <cstddef>
@@ -66,9 +67,14 @@ struct ShadingBatch {
   const std::uint32_t* index = nullptr; ///< of the camera sample within the pixel
   float* out[3] = {};                   ///< radiance, nits, without weight
   /// With the LTC integrator and shadows, polygon lights do not go to `out`: their weighted sums,
-  /// for radiance 1, are added here, [light][RatioSum][pixel]. Else unused.
+  /// for radiance 1, are added here, [slot][RatioSum][pixel]. Else unused.
   float* ratio_sums = nullptr;
   int pixel_count = 0;
+  /// The polygon lights that shade the points, `light_count` of them, and the slot of each; null
+  /// for all, with slots of the same numbers. The reference integrator takes all in any case.
+  const std::int32_t* lights = nullptr;
+  const std::int32_t* slots = nullptr;
+  int light_count = 0;
 };
 
 inline constexpr int k_batch_padding = 16;
@@ -126,11 +132,15 @@ struct KernelContext {
 inline constexpr int k_max_brdf_samples = 64;
 
 using ShadeFunction = void (*)(const KernelContext& context, const ShadingBatch& batch);
+/// Finds the bounds of the points of a batch, of which it needs only `count` (not 0) and `in`.
+using MeasureFunction = void (*)(const KernelContext& context, const ShadingBatch& batch,
+                                 BatchBounds* bounds);
 
 struct Kernel {
   const char* name = ""; ///< "scalar", "sse4", "avx2", "avx512", "neon"
   int lanes = 1;
   ShadeFunction shade = nullptr;
+  MeasureFunction measure = nullptr;
 };
 
 /// The widest kernel that this machine runs.
