@@ -81,8 +81,8 @@ void shade(benchmark::State& state, render::Kernel kernel, int light_count, bool
   render::KernelContext context;
   context.table = table::builtin_ggx_table().view();
   if (degree > 0) context.polynomial = polynomial.view();
-  context.polygons = lights.polygons.data();
-  context.polygon_count = int(lights.polygons.size());
+  context.area_lights = lights.area_lights.data();
+  context.area_light_count = int(lights.area_lights.size());
   render::PointBuffer buffer(k_points);
   std::vector<Vec3f> samples(k_points);
   std::vector<float> no_ratio;

@@ -56,8 +56,8 @@ double largest_difference(const image::Image& a, const image::Image& b) {
 
 void unshadowed(const char* name, scene::Scene (*make)(int), const std::vector<int>& counts) {
   fmt::print("{}, 1280x720, 1 sample per pixel, no shadows; error in nits\n"
-             "  {:>6} | {:>8} | {:>8} {:>7} {:>11} | {:>9} {:>9}\n",
-             name, "lights", "all, s", "s", "x first", "lights/point", "error", "bound");
+             "  {:>6} | {:>8} | {:>8} {:>7} {:>7} {:>6} | {:>9} {:>9}\n",
+             name, "lights", "all, s", "s", "x first", "exact", "far", "error", "bound");
   double first = 0;
   for (const int count : counts) {
     const scene::Scene scene = make(count);
@@ -68,8 +68,9 @@ void unshadowed(const char* name, scene::Scene (*make)(int), const std::vector<i
     if (first == 0) first = chosen.seconds;
     options.light_error = 0;
     const Timed all = timed(scene, options, count > 500 ? 1 : 2);
-    fmt::print("  {:>6} | {:>8.3f} | {:>8.3f} {:>7.2f} {:>11.1f} | {:>9.2g} {:>9.2g}\n", count,
-               all.seconds, chosen.seconds, chosen.seconds / first, chosen.picture.lights_per_point,
+    fmt::print("  {:>6} | {:>8.3f} | {:>8.3f} {:>7.2f} {:>7.1f} {:>6.1f} | {:>9.2g} {:>9.2g}\n",
+               count, all.seconds, chosen.seconds, chosen.seconds / first,
+               chosen.picture.lights_per_point, chosen.picture.far_groups_per_point,
                largest_difference(all.picture.radiance, chosen.picture.radiance),
                chosen.picture.light_error_nits);
   }
@@ -78,8 +79,8 @@ void unshadowed(const char* name, scene::Scene (*make)(int), const std::vector<i
 // A smaller picture: the ratio is what is asked for, and all lights with shadows take minutes.
 void shadowed(const char* name, scene::Scene (*make)(int), const std::vector<int>& counts) {
   fmt::print("{}, 320x180, 4 samples per pixel, 16 shadow samples\n"
-             "  {:>6} | {:>8} {:>7} {:>11}\n",
-             name, "lights", "s", "x first", "lights/point");
+             "  {:>6} | {:>8} {:>7} {:>7} {:>6}\n",
+             name, "lights", "s", "x first", "exact", "far");
   double first = 0;
   for (const int count : counts) {
     const scene::Scene scene = make(count);
@@ -89,8 +90,9 @@ void shadowed(const char* name, scene::Scene (*make)(int), const std::vector<int
     options.samples = 4;
     const Timed chosen = timed(scene, options, 1);
     if (first == 0) first = chosen.seconds;
-    fmt::print("  {:>6} | {:>8.3f} {:>7.2f} {:>11.1f}\n", count, chosen.seconds,
-               chosen.seconds / first, chosen.picture.lights_per_point);
+    fmt::print("  {:>6} | {:>8.3f} {:>7.2f} {:>7.1f} {:>6.1f}\n", count, chosen.seconds,
+               chosen.seconds / first, chosen.picture.lights_per_point,
+               chosen.picture.far_groups_per_point);
   }
 }
 

@@ -101,8 +101,6 @@ void store3(float* out, Vec3f p) {
 
 PackedPolygon pack_polygon(const PolygonLight& light) {
   PackedPolygon packed;
-  packed.radiance = light.radiance;
-  packed.surface_deviation = light.surface_deviation;
   if (light.vertices.empty()) return packed;
 
   // The longest edge gives the plane's u axis, so that the slabs of a rectangle are one.
@@ -169,6 +167,7 @@ PackedPolygon pack_polygon(const PolygonLight& light) {
   packed.view.in_plane = packed.in_plane.data();
   packed.view.point_count = int(packed.points.size() / 4);
   packed.view.two_sided = light.two_sided;
+  packed.view.area = packed.area;
   store3(packed.view.origin, origin);
   store3(packed.view.axis_u, u);
   store3(packed.view.axis_v, v);

@@ -21,8 +21,6 @@ struct PackedPolygon {
   std::vector<float> triangle_cdf; ///< running share of the area, last element 1
   PolygonView view;                ///< points into the vectors above; moves with them
   float area = 0;                  ///< square metres
-  float surface_deviation = 0;     ///< metres, see PolygonLight
-  Vec3f radiance{0, 0, 0};         ///< nits
 
   PackedPolygon() = default;
   PackedPolygon(PackedPolygon&&) = default;

@@ -16,11 +16,11 @@
 // that is nearest to it.
 //
 // The far form takes all lights for one patch in their centre. A small patch of area vector m at d
-// has the form factor f = (n.d)(m.d) / (pi |d|^4), and in cosine space so has the lobe's share, with
-// n = z, M^-1 d instead of d and det M^T m instead of m. In Taylor's series of f around the centre,
-// the term of first order is a sum of m (p - centre)^T, which is all but nil for lights that face the
-// same way, and the remainder is bounded by the largest second derivative on the way, which falls
-// with the fourth power of the least distance.
+// has the form factor f = (n.d)(m.d) / (pi |d|^4), and in cosine space so has the lobe's share,
+// with n = z, M^-1 d instead of d and det M^T m instead of m. In Taylor's series of f around the
+// centre, the term of first order is a sum of m (p - centre)^T, which is all but nil for lights
+// that face the same way, and the remainder is bounded by the largest second derivative on the way,
+// which falls with the fourth power of the least distance.
 
 #include "openltc/render/light_bound.h"
 
@@ -41,10 +41,10 @@ constexpr float k_pi = std::numbers::pi_v<float>;
 constexpr float k_slack = 4.0e-6f;
 constexpr float k_margin = 1.0001f; // the same for a product of a dozen factors
 
-// Of f(d) = (n.d)(m.d) / |d|^4 for unit n and m, at |d| = 1. Its derivative is linear in m u^T, u the
-// direction of the step, with the matrix d n^T + (n.d) (1 - 4 d d^T), whose squared Frobenius norm
-// is 1 + 5 (n.d)^2. Its second derivative is bilinear in n and m with the matrix
-// 2 u u^T - 8 k (u d^T + d u^T) + (24 k^2 - 4) d d^T, k = d.u, of norm 6 at most, at k = 1.
+// Of f(d) = (n.d)(m.d) / |d|^4 for unit n and m, at |d| = 1. Its derivative is linear in m u^T, u
+// the direction of the step, with the matrix d n^T + (n.d) (1 - 4 d d^T), whose squared Frobenius
+// norm is 1 + 5 (n.d)^2. Its second derivative is bilinear in n and m with the matrix 2 u u^T - 8 k
+// (u d^T + d u^T) + (24 k^2 - 4) d d^T, k = d.u, of norm 6 at most, at k = 1.
 const float k_gradient = std::sqrt(6.0f);
 constexpr float k_curvature = 6;
 
@@ -93,7 +93,8 @@ Interval cosine(const Box& axis, const Reach& reach) {
 }
 
 struct LobeBound {
-  float density = 0; ///< at least that of any point towards the lights, over its share above the horizon
+  float density =
+      0; ///< at least that of any point towards the lights, over its share above the horizon
   float least_length2 = 0; ///< at most |o|^2 of any of these directions
   bool above = false;      ///< all of them are above the cosine's horizon
 };
@@ -223,6 +224,44 @@ LightExtent light_extent(const light::LineLight& light) {
   return extent;
 }
 
+FarLight far_light(const light::PolygonLight& light) {
+  FarLight far;
+  if (light.two_sided || light.cosine_power > 0 || light.texture >= 0 || light.vertices.empty())
+    return far;
+  const auto to_double = [](Vec3f v) { return Vec3d(double(v.x), double(v.y), double(v.z)); };
+  const Vec3d normal = to_double(light.normal), origin = to_double(light.vertices.front());
+  // Signed triangles of a fan around a point, ring by ring.
+  const auto over_triangles = [&](Vec3d apex, const auto& visit) {
+    for (std::size_t r = 0; r < light.ring_end.size(); ++r) {
+      const auto ring = light::ring_vertices(light, r);
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec3d a = to_double(ring[i]) - apex,
+                    b = to_double(ring[(i + 1) % ring.size()]) - apex;
+        visit(a, b, 0.5 * dot(cross(a, b), normal));
+      }
+    }
+  };
+  double area = 0;
+  Vec3d center(0.0);
+  over_triangles(origin, [&](Vec3d a, Vec3d b, double triangle) {
+    area += triangle;
+    center += (a + b) * (triangle / 3);
+  });
+  if (!(area > 0)) return far;
+  center = origin + center / area;
+  double second = 0;
+  over_triangles(center, [&](Vec3d a, Vec3d b, double triangle) {
+    second += triangle / 6 * (dot(a, a) + dot(b, b) + dot(a, b));
+  });
+  far.valid = true;
+  far.center = Vec3f(float(center.x), float(center.y), float(center.z));
+  const float radiance[3] = {light.radiance.x, light.radiance.y, light.radiance.z};
+  for (int c = 0; c < 3; ++c)
+    far.moment[c] = light.normal * (radiance[c] * float(area));
+  far.second = light.radiance * float(std::max(second, 0.0));
+  return far;
+}
+
 LightExtent united(const LightExtent& a, const LightExtent& b) {
   LightExtent u;
   u.lower = minimum(a.lower, b.lower);
@@ -236,7 +275,9 @@ LightExtent united(const LightExtent& a, const LightExtent& b) {
   return u;
 }
 
-LightBound bound_light(const BatchBounds& batch, const LightExtent& extent, const FarLight& far) {
+LightBound bound_light(const BatchBounds& batch, const TreeLight& light) {
+  const LightExtent& extent = light.extent;
+  const FarLight& far = light.far;
   LightBound bound;
   const Box position = field3(batch, k_bound_position);
   Reach reach;
@@ -281,7 +322,8 @@ LightBound bound_light(const BatchBounds& batch, const LightExtent& extent, cons
   const float inv_o2 = 1 / std::max(lobe.least_length2, 1.0e-8f);
   const float inv_o3 = inv_o2 * std::sqrt(inv_o2);
   // Schlick's weight turns by at most this per radian: 5 (1 - cos h)^4 sin h, h half the angle.
-  const float turned = std::min(2.5f * m * m * m * m * spread(extent) * inv_near, 1.0f) + axis_weight;
+  const float turned =
+      std::min(2.5f * m * m * m * m * spread(extent) * inv_near, 1.0f) + axis_weight;
 
   float all = 0, specular_left_out = 0, diffuse_error = 0, specular_error = 0;
   const auto channel = [&](float radiance, float intensity, float first, float second, int c) {
@@ -289,20 +331,20 @@ LightBound bound_light(const BatchBounds& batch, const LightExtent& extent, cons
     const float diffuse = batch.upper[k_bound_diffuse + c] *
                           std::min(flux * cos_surface.upper * (1 / k_pi), radiance);
     const float grazing = std::max(batch.upper[k_bound_grazing + c], 0.0f);
-    const float fresnel =
-        std::max(batch.upper[k_bound_specular + c] + grazing * weight, 0.0f);
+    const float fresnel = std::max(batch.upper[k_bound_specular + c] + grazing * weight, 0.0f);
     const float lobe_light = std::min(flux * density, radiance);
     all = std::max(all, diffuse + fresnel * lobe_light);
     specular_left_out = std::max(specular_left_out, fresnel * lobe_light);
-    diffuse_error =
-        std::max(diffuse_error, batch.upper[k_bound_diffuse + c] * (1 / k_pi) *
-                                    (k_gradient * first * inv_near3 + 0.5f * k_curvature * second * inv_near4));
+    diffuse_error = std::max(diffuse_error, batch.upper[k_bound_diffuse + c] * (1 / k_pi) *
+                                                (k_gradient * first * inv_near3 +
+                                                 0.5f * k_curvature * second * inv_near4));
     const float change = std::max(grazing, -batch.lower[k_bound_grazing + c]);
-    specular_error = std::max(
-        specular_error,
-        fresnel * (k_gradient * batch.upper[k_bound_stretch] * first * inv_near3 * inv_o3 +
-                   0.5f * k_curvature * batch.upper[k_bound_stretch2] * second * inv_near4 * inv_o2 * inv_o2) +
-            change * turned * lobe_light);
+    specular_error =
+        std::max(specular_error,
+                 fresnel * (k_gradient * batch.upper[k_bound_stretch] * first * inv_near3 * inv_o3 +
+                            0.5f * k_curvature * batch.upper[k_bound_stretch2] * second *
+                                inv_near4 * inv_o2 * inv_o2) +
+                     change * turned * lobe_light);
   };
   channel(extent.radiance.x, extent.intensity.x, far.first.x, far.second.x, 0);
   channel(extent.radiance.y, extent.intensity.y, far.first.y, far.second.y, 1);
@@ -316,7 +358,8 @@ LightBound bound_light(const BatchBounds& batch, const LightExtent& extent, cons
   bound.far_error = k_unbounded;
   if (!far_diffuse) return bound;
   bound.far_specular = far_specular && specular_error < specular_left_out;
-  bound.far_error = limited(diffuse_error + (bound.far_specular ? specular_error : specular_left_out));
+  bound.far_error =
+      limited(diffuse_error + (bound.far_specular ? specular_error : specular_left_out));
   return bound;
 }
 

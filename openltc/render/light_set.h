@@ -6,7 +6,7 @@
 #pragma once
 
 #include "openltc/light/packed_polygon.h"
-#include "openltc/render/light_bound.h"
+#include "openltc/render/light_tree.h"
 #include "openltc/render/shading_kernel.h"
 
 #include <string>
@@ -16,9 +16,9 @@ namespace openltc::render {
 
 /// Owner of what the views in a KernelContext point to.
 struct LightSet {
-  std::vector<light::PackedPolygon> packed;
-  std::vector<PolygonLightView> polygons;
-  std::vector<LightExtent> extents; ///< of the polygons
+  std::vector<light::PackedPolygon> packed; ///< of the polygons among the area lights
+  std::vector<AreaLightView> area_lights;
+  std::vector<TreeLight> tree_lights; ///< the same
   std::vector<PunctualLightView> punctual;
   std::vector<std::string> warnings; ///< lights that were left out, and why
 };

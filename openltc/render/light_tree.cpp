@@ -4,10 +4,10 @@
 // A cut through a tree of lights, refined where its error may be largest until the sum is allowed.
 //
 // Source: Walter, Fernandez, Arbree, Bala, Donikian, Greenberg 2005, "Lightcuts: A Scalable
-// Approach to Illumination", sections 3 and 4. There a cut serves a pixel, a cluster is shaded by one
-// of its lights and may err as much as it may contribute. Here a cut serves a batch of points, a
-// cluster is left out or shaded as a patch in its centre, and that patch has an error bound of its
-// own; both kinds of bound add up to one that holds for every point.
+// Approach to Illumination", sections 3 and 4. There a cut serves a pixel, a cluster is shaded by
+// one of its lights and may err as much as it may contribute. Here a cut serves a batch of points,
+// a cluster is left out or shaded as a patch in its centre, and that patch has an error bound of
+// its own; both kinds of bound add up to one that holds for every point.
 
 #include "openltc/render/light_tree.h"
 
@@ -85,12 +85,17 @@ LightTree::LightTree(std::span<const TreeLight> lights) {
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(2 * lights.size());
   if (!lights.empty()) build(lights, 0, std::int32_t(lights.size()));
+  double sum = 0;
+  cdf_.push_back(0);
+  for (const std::int32_t i : order_) {
+    sum += weight_of(lights[std::size_t(i)].far);
+    cdf_.push_back(float(sum));
+  }
 }
 
 void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std::int32_t end) {
   const std::size_t index = nodes_.size();
-  const auto members =
-      std::span(order_).subspan(std::size_t(begin), std::size_t(end - begin));
+  const auto members = std::span(order_).subspan(std::size_t(begin), std::size_t(end - begin));
   Node node;
   node.begin = begin;
   node.end = end;
@@ -144,7 +149,7 @@ void LightTree::choose(const BatchBounds& batch, double tolerance, LightChoice& 
   };
   const auto add = [&](std::int32_t node) {
     const TreeLight& light = nodes_[std::size_t(node)].light;
-    const LightBound bound = bound_light(batch, light.extent, light.far);
+    const LightBound bound = bound_light(batch, light);
     if (bound.all <= 0) return;
     const float least = std::min(bound.all, bound.far_error);
     if (least < k_unbounded)
@@ -189,6 +194,7 @@ void LightTree::choose(const BatchBounds& batch, double tolerance, LightChoice& 
   std::sort(cut.begin(), cut.end(), [](const Entry& a, const Entry& b) {
     return a.bound.all != b.bound.all ? a.bound.all < b.bound.all : a.node < b.node;
   });
+  double bounds = 0;
   for (const Entry& entry : cut) {
     if (entry.bound.all <= entry.bound.far_error) continue;
     const double more = double(entry.bound.all) - double(entry.bound.far_error);
@@ -206,11 +212,15 @@ void LightTree::choose(const BatchBounds& batch, double tolerance, LightChoice& 
       std::copy_n(moment, 3, group.moment[c]);
     }
     group.specular = entry.bound.far_specular;
-    group.bound = entry.bound.all;
+    bounds += double(entry.bound.all);
+    group.cdf = float(bounds);
     group.begin = node.begin;
     group.end = node.end;
     choice.far.push_back(group);
   }
+  for (FarGroup& group : choice.far)
+    group.cdf = float(double(group.cdf) / bounds);
+  if (!choice.far.empty()) choice.far.back().cdf = 1;
   std::sort(choice.exact.begin(), choice.exact.end());
   choice.error_nits = error;
 }

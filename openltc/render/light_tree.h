@@ -6,18 +6,13 @@
 #pragma once
 
 #include "openltc/render/light_bound.h"
+#include "openltc/render/shading_kernel.h"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace openltc::render {
-
-/// A light with an extent as the tree wants it.
-struct TreeLight {
-  LightExtent extent;
-  FarLight far; ///< of this light alone; not valid for lights that have no such form
-};
 
 /// How a batch of surface points is to be lit.
 struct LightChoice {
@@ -44,6 +39,8 @@ public:
 
   /// The lights in the order in which the groups hold them, see FarGroup.
   std::span<const std::int32_t> order() const { return order_; }
+  /// The running sum of their power, one more than there are lights; 0 for those without far form.
+  std::span<const float> cdf() const { return cdf_; }
 
 private:
   struct Node {
@@ -56,6 +53,7 @@ private:
 
   std::vector<Node> nodes_;
   std::vector<std::int32_t> order_;
+  std::vector<float> cdf_;
 };
 
 } // namespace openltc::render

@@ -83,15 +83,17 @@ void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, Shad
 }
 
 void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
-                        std::span<const std::int32_t> lights, std::span<const std::int32_t> slots,
-                        std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
-                        int pixel_count) {
+                        const Lighting& lighting, std::vector<Vec3f>& samples,
+                        std::vector<float>& ratio_sums, int pixel_count) {
   if (count_ == 0) return;
   static constexpr std::int32_t none = 0; // an empty list is not the null that means all
   ShadingBatch chosen = batch();
-  chosen.lights = lights.empty() ? &none : lights.data();
-  chosen.slots = slots.data();
-  chosen.light_count = int(lights.size());
+  chosen.lights = lighting.lights.empty() ? &none : lighting.lights.data();
+  chosen.slots = lighting.slots.data();
+  chosen.light_count = int(lighting.lights.size());
+  chosen.far = lighting.far.data();
+  chosen.far_count = int(lighting.far.size());
+  chosen.far_slot = lighting.far_slot;
   shade(kernel, context, chosen, samples, ratio_sums, pixel_count);
 }
 

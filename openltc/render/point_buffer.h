@@ -23,6 +23,13 @@ struct PointTarget {
   float weight = 1;               ///< share in the camera sample
 };
 
+/// The lights of a batch; see the fields of ShadingBatch.
+struct Lighting {
+  std::span<const std::int32_t> lights, slots;
+  std::span<const FarGroup> far;
+  int far_slot = 0;
+};
+
 class PointBuffer {
 public:
   explicit PointBuffer(std::size_t capacity);
@@ -36,10 +43,9 @@ public:
   /// The bounds of all points; there must be one.
   BatchBounds measure(const Kernel& kernel, const KernelContext& context);
 
-  /// Shades all points by the polygon lights of `lights`, whose sums have the numbers `slots`, adds
-  /// to `samples` and `ratio_sums` (see ShadingBatch) and becomes empty.
-  void shade(const Kernel& kernel, const KernelContext& context,
-             std::span<const std::int32_t> lights, std::span<const std::int32_t> slots,
+  /// Shades all points as `lighting` says, adds to `samples` and `ratio_sums` (see ShadingBatch)
+  /// and becomes empty.
+  void shade(const Kernel& kernel, const KernelContext& context, const Lighting& lighting,
              std::vector<Vec3f>& samples, std::vector<float>& ratio_sums, int pixel_count);
   /// The same by all lights.
   void shade(const Kernel& kernel, const KernelContext& context, std::vector<Vec3f>& samples,

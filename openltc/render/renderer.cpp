@@ -39,6 +39,7 @@ constexpr std::size_t k_batch = 4096; // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
 // Fewer lights than this are all shaded: choosing among them costs as much.
 constexpr int k_min_lights_to_choose = 6;
+constexpr std::int32_t k_far_lights = -1; // whose sums a slot holds, when no single light's
 
 static_assert(k_tile == RayPacket::k_size);
 
@@ -54,17 +55,18 @@ struct Job {
   const RayScene& rays;
   Kernel kernel;
   KernelContext context;
-  const LightTree* tree = nullptr; ///< null: all lights shade all points
-  double tolerance_nits = 0;       ///< of what the tree leaves out
+  const LightTree* tree; ///< null: all lights shade all points
+  double tolerance_nits; ///< of what the tree chooses
 };
 
-/// Pairs of surface point and light, of how many points.
-struct ShadedCount {
-  std::atomic<std::int64_t> pairs{0}, points{0};
+/// What shading took, over all tiles.
+struct ShadingWork {
+  std::atomic<std::int64_t> points{0};
+  std::atomic<std::int64_t> exact{0}, far{0}; ///< pairs of a point and a light or a far group
 };
 
 bool needs_ratio(const KernelContext& context) {
-  return context.integrator == Integrator::ltc && context.trace && context.polygon_count > 0;
+  return context.integrator == Integrator::ltc && context.trace && context.area_light_count > 0;
 }
 
 int divide_up(int a, int b) { return (a + b - 1) / b; }
@@ -76,12 +78,16 @@ public:
       : job_(job), x0_(x0), y0_(y0), width_(std::min(k_tile, job.options.width - x0)),
         height_(std::min(k_tile, job.options.height - y0)), points_(k_batch) {}
 
-  void render(Picture& picture, ShadedCount& shaded) {
+  void render(Picture& picture, ShadingWork& work) {
     const int samples = job_.options.samples;
     const int pixels = k_tile_pixels;
     std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
     if (needs_ratio(job_.context))
-      slot_of_light_.assign(std::size_t(job_.context.polygon_count), -1);
+      slot_of_light_.assign(std::size_t(job_.context.area_light_count), -1);
+    if (!job_.tree) {
+      choice_.exact.resize(std::size_t(job_.context.area_light_count));
+      std::iota(choice_.exact.begin(), choice_.exact.end(), 0);
+    }
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
       if (interrupted()) return;
@@ -103,67 +109,73 @@ public:
         const std::size_t i = std::size_t(row * k_tile + column);
         const double n = samples;
         const Vec3d mean = sum[i] / n;
-        const Vec3d polygons = shadowed_polygons(i) / n;
+        const Vec3d areas = shadowed_area_lights(i) / n;
         const auto error = [&](double m, double s2) {
           return n > 1 ? float(std::sqrt(std::max(s2 / n - m * m, 0.0) / (n - 1))) : 0.0f;
         };
         float* out = picture.radiance.pixel(x0_ + column, y0_ + row);
-        out[0] = float(mean.x + polygons.x);
-        out[1] = float(mean.y + polygons.y);
-        out[2] = float(mean.z + polygons.z);
+        out[0] = float(mean.x + areas.x);
+        out[1] = float(mean.y + areas.y);
+        out[2] = float(mean.z + areas.z);
         float* e = picture.standard_error.pixel(x0_ + column, y0_ + row);
         e[0] = error(mean.x, sum2[i].x);
         e[1] = error(mean.y, sum2[i].y);
         e[2] = error(mean.z, sum2[i].z);
       }
-    shaded.pairs += pairs_;
-    shaded.points += shaded_points_;
+    work.points += points_shaded_;
+    work.exact += exact_;
+    work.far += far_;
   }
 
 private:
   void shade_points() {
     if (points_.empty()) return;
-    if (job_.tree) {
-      const BatchBounds bounds = points_.measure(job_.kernel, job_.context);
-      job_.tree->select(bounds, job_.tolerance_nits, lights_, scratch_);
-    } else if (lights_.empty()) {
-      lights_.resize(std::size_t(job_.context.polygon_count));
-      std::iota(lights_.begin(), lights_.end(), 0);
-    }
-    if (needs_ratio(job_.context)) give_slots();
-    shaded_points_ += std::int64_t(points_.size());
-    pairs_ += std::int64_t(points_.size() * lights_.size());
-    points_.shade(job_.kernel, job_.context, lights_, slots_, samples_, ratio_sums_, k_tile_pixels);
+    if (job_.tree)
+      job_.tree->choose(points_.measure(job_.kernel, job_.context), job_.tolerance_nits, choice_);
+    Lighting lighting;
+    if (needs_ratio(job_.context)) lighting.far_slot = give_slots();
+    lighting.lights = choice_.exact;
+    lighting.slots = slots_;
+    lighting.far = choice_.far;
+    const std::int64_t count = std::int64_t(points_.size());
+    points_shaded_ += count;
+    exact_ += count * std::int64_t(choice_.exact.size());
+    far_ += count * std::int64_t(choice_.far.size());
+    points_.shade(job_.kernel, job_.context, lighting, samples_, ratio_sums_, k_tile_pixels);
   }
 
-  // Sums for the lights that this tile meets for the first time.
-  void give_slots() {
-    slots_.clear();
-    for (const std::int32_t light : lights_) {
-      std::int32_t& slot = slot_of_light_[std::size_t(light)];
+  // Sums for the lights that this tile meets for the first time. Returns those of far groups.
+  int give_slots() {
+    const auto slot_for = [&](std::int32_t light, std::int32_t& slot) {
       if (slot < 0) {
         slot = std::int32_t(light_of_slot_.size());
         light_of_slot_.push_back(light);
       }
-      slots_.push_back(slot);
-    }
+      return slot;
+    };
+    slots_.clear();
+    for (const std::int32_t light : choice_.exact)
+      slots_.push_back(slot_for(light, slot_of_light_[std::size_t(light)]));
+    if (!choice_.far.empty()) slot_for(k_far_lights, far_slot_);
     ratio_sums_.resize(light_of_slot_.size() * k_ratio_sum_count * std::size_t(k_tile_pixels),
                        0.0f);
+    return far_slot_;
   }
 
-  // Light of all polygons in a pixel, summed over its camera samples: the closed form times the
+  // Light of all area lights in a pixel, summed over its camera samples: the closed form times the
   // ratio of shadowed to unshadowed light. No sample found the light: no shadow is known either.
-  Vec3d shadowed_polygons(std::size_t pixel) const {
+  Vec3d shadowed_area_lights(std::size_t pixel) const {
     Vec3d total(0.0);
     for (std::size_t slot = 0; slot < light_of_slot_.size(); ++slot) {
-      const PolygonLightView& light = job_.context.polygons[light_of_slot_[slot]];
+      const std::int32_t light = light_of_slot_[slot];
       const float* sums = ratio_sums_.data() + slot * k_ratio_sum_count * k_tile_pixels + pixel;
       const auto channel = [&](int c) {
         const double closed = sums[(k_closed_r + c) * k_tile_pixels];
         const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
         const double shadowed = sums[(k_shadowed_r + c) * k_tile_pixels];
         const double ratio = unshadowed > 0 ? shadowed / unshadowed : 1.0;
-        return closed * ratio * double(light.radiance[c]);
+        if (light == k_far_lights) return closed * ratio;
+        return closed * ratio * double(job_.context.area_lights[light].radiance[c]);
       };
       total += Vec3d(channel(0), channel(1), channel(2));
     }
@@ -243,12 +255,12 @@ private:
   int x0_, y0_, width_, height_;
   PointBuffer points_;
   std::vector<Vec3f> samples_;
-  // The lights that shade the points in work; where their sums are, see ShadingBatch.
-  std::vector<std::int32_t> lights_, slots_;
-  LightTree::Scratch scratch_;
-  std::vector<float> ratio_sums_; // empty unless the ratio is needed, as are the next two
-  std::vector<std::int32_t> slot_of_light_, light_of_slot_;
-  std::int64_t shaded_points_ = 0, pairs_ = 0;
+  LightChoice choice_; // for the points in work
+  // Sums of the shadow ratio, see ShadingBatch, and whose they are; empty unless it is needed.
+  std::vector<float> ratio_sums_;
+  std::vector<std::int32_t> slots_, slot_of_light_, light_of_slot_;
+  std::int32_t far_slot_ = -1;
+  std::int64_t points_shaded_ = 0, exact_ = 0, far_ = 0;
 };
 
 Status check(const RenderOptions& o) {
@@ -287,8 +299,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
-  context.polygons = lights.polygons.data();
-  context.polygon_count = int(lights.polygons.size());
+  context.area_lights = lights.area_lights.data();
+  context.area_light_count = int(lights.area_lights.size());
   context.punctual = lights.punctual.data();
   context.punctual_count = int(lights.punctual.size());
   context.integrator = options.integrator;
@@ -308,8 +320,13 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   }
 
   LightTree tree;
-  if (!reference && options.light_error > 0 && context.polygon_count >= k_min_lights_to_choose) {
-    tree = LightTree(lights.extents);
+  if (!reference && options.light_error > 0 && context.area_light_count >= k_min_lights_to_choose) {
+    tree = LightTree(lights.tree_lights);
+    context.far_lights.order = tree.order().data();
+    context.far_lights.cdf = tree.cdf().data();
+    for (const AreaLightView& light : lights.area_lights)
+      context.far_lights.surface_deviation =
+          std::max(context.far_lights.surface_deviation, 1.5f * light.surface_deviation);
     job.tree = &tree;
     job.tolerance_nits = double(options.light_error) *
                          light_level_nits(scene, textures, **rays, camera_rays, options.width,
@@ -324,7 +341,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   picture.warnings = lights.warnings;
   picture.build_seconds = seconds_since(build_start);
 
-  ShadedCount shaded;
+  ShadingWork work;
   const auto render_start = std::chrono::steady_clock::now();
   const int columns = (options.width + k_tile - 1) / k_tile;
   const int rows = (options.height + k_tile - 1) / k_tile;
@@ -332,13 +349,14 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
     Progress progress("rendering", std::int64_t(columns) * rows, options.quiet);
     parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
       if (interrupted()) return;
-      Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, shaded);
+      Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, work);
       progress.add(1);
     });
   }
   if (interrupted()) return Error{"interrupted; nothing was written"};
-  picture.lights_per_point =
-      double(shaded.pairs) / double(std::max<std::int64_t>(shaded.points, 1));
+  const double points = double(std::max<std::int64_t>(work.points, 1));
+  picture.lights_per_point = double(work.exact) / points;
+  picture.far_groups_per_point = double(work.far) / points;
   picture.render_seconds = seconds_since(render_start);
   return picture;
 }

@@ -43,7 +43,7 @@ enum PointField {
   k_point_field_count
 };
 
-/// What the shadow ratio needs of one polygon light, summed over a pixel's points and samples.
+/// What the shadow ratio needs of one area light, summed over a pixel's points and samples.
 enum RatioSum {
   k_closed_r,
   k_closed_g,
@@ -57,6 +57,15 @@ enum RatioSum {
   k_ratio_sum_count
 };
 
+/// Polygon lights that a batch of points takes for one small patch; see FarLight in light_bound.h.
+struct FarGroup {
+  float center[3];
+  float moment[3][3];      ///< sum of radiance times area times normal, for r, g and b
+  bool specular;           ///< whether there is a specular part worth having
+  float cdf;               ///< running share of the shadow samples, 1 for the last group
+  std::int32_t begin, end; ///< its lights, in FarLights::order
+};
+
 /// Surface points in, radiance out. The arrays are padded to a multiple of k_batch_padding.
 struct ShadingBatch {
   int count = 0;
@@ -66,28 +75,50 @@ struct ShadingBatch {
   const std::uint32_t* seed = nullptr;  ///< of the pixel
   const std::uint32_t* index = nullptr; ///< of the camera sample within the pixel
   float* out[3] = {};                   ///< radiance, nits, without weight
-  /// With the LTC integrator and shadows, polygon lights do not go to `out`: their weighted sums,
+  /// With the LTC integrator and shadows, area lights do not go to `out`: their weighted sums,
   /// for radiance 1, are added here, [slot][RatioSum][pixel]. Else unused.
   float* ratio_sums = nullptr;
   int pixel_count = 0;
-  /// The polygon lights that shade the points, `light_count` of them, and the slot of each; null
-  /// for all, with slots of the same numbers. The reference integrator takes all in any case.
+  /// The area lights that shade the points, `light_count` of them, and the slot of each; null for
+  /// all, with slots of the same numbers. The reference integrator takes all in any case.
   const std::int32_t* lights = nullptr;
   const std::int32_t* slots = nullptr;
   int light_count = 0;
+  /// Groups of further lights, and the slot of their sums, which are with the lights' radiance.
+  const FarGroup* far = nullptr;
+  int far_count = 0;
+  int far_slot = 0;
 };
 
 inline constexpr int k_batch_padding = 16;
 
-/// A polygon light with what sampling it needs; see light::PackedPolygon.
-struct PolygonLightView {
-  PolygonView shape;
-  const float* triangles = nullptr;
+enum class LightShape : std::uint8_t { polygon, ellipse, sphere, tube, line };
+
+/// A light with an extent, of any shape; see light::Emitter and the shapes beside it.
+struct AreaLightView {
+  LightShape shape = LightShape::polygon;
+  PolygonView polygon;
+  const float* triangles = nullptr; ///< of the polygon, see light::PackedPolygon
   const float* triangle_cdf = nullptr;
   int triangle_count = 0;
-  float area = 0;
-  float surface_deviation = 0; ///< see light::PolygonLight
-  float radiance[3] = {0, 0, 0};
+  float center[3] = {0, 0, 0}; ///< ellipse, sphere
+  float half_u[3] = {1, 0, 0}; ///< ellipse
+  float half_v[3] = {0, 1, 0};
+  float from[3] = {0, 0, 0}; ///< tube, line
+  float to[3] = {1, 0, 0};
+  float radius = 0;              ///< sphere, tube
+  float caps = 0;                ///< tube: 0 none, 1 flat, 2 round
+  bool two_sided = false;        ///< ellipse; the polygon has its own
+  float radiance[3] = {0, 0, 0}; ///< nits; cd/m of a line
+  float cosine_power = 0;        ///< see light::Emitter
+  float surface_deviation = 0;   ///< see light::Emitter
+};
+
+/// What shadow rays to groups of lights need.
+struct FarLights {
+  const std::int32_t* order = nullptr; ///< numbers of the lights; a group is a range of them
+  const float* cdf = nullptr;          ///< running sum of the power of the lights before each
+  float surface_deviation = 0;         ///< largest of the lights, with its factor of safety
 };
 
 struct PunctualLightView {
@@ -117,19 +148,22 @@ enum class PunctualForm { exact, ltc };
 struct KernelContext {
   LobeTableView table;
   LobePolynomialView polynomial; ///< instead of the table, where it has coefficients
-  const PolygonLightView* polygons = nullptr;
-  int polygon_count = 0;
+  const AreaLightView* area_lights = nullptr;
+  int area_light_count = 0;
+  FarLights far_lights;
   const PunctualLightView* punctual = nullptr;
   int punctual_count = 0;
   Integrator integrator = Integrator::ltc;
   PunctualForm punctual_form = PunctualForm::exact;
-  int light_samples = 0;        ///< per point and polygon
-  int brdf_samples = 0;         ///< per point, shared by all polygons; at most k_max_brdf_samples
+  int light_samples = 0;        ///< per point and area light
+  int brdf_samples = 0;         ///< per point, shared by all lights; at most k_max_brdf_samples
   TraceShadows trace = nullptr; ///< null: no shadows
   const void* tracer = nullptr;
 };
 
 inline constexpr int k_max_brdf_samples = 64;
+/// All groups of far lights together take as many shadow samples as this many lights.
+inline constexpr int k_far_light_samples = 4;
 
 using ShadeFunction = void (*)(const KernelContext& context, const ShadingBatch& batch);
 /// Finds the bounds of the points of a batch, of which it needs only `count` (not 0) and `in`.

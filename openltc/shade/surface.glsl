@@ -63,12 +63,25 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
   return fresnel * (s.fitted.n1 * share);
 }
 
-/// Light from a polygon of radiance 1 in closed form, without shadow.
-FN Vec3 shade_polygon(Surface s, Polygon polygon) {
-  PolygonIntegral integral = integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+struct ShadedLight {
+  Vec3 diffuse;
+  Vec3 specular;
+};
+
+/// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
+FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
   Real share = min(integral.specular * s.inv_share, Real(1.0));
-  return s.diffuse * integral.diffuse +
-         specular_reflectance(s, integral.specular_direction, share);
+  ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = specular_reflectance(s, integral.specular_direction, share);
+  return shaded;
+}
+
+/// The same of a polygon, both parts together.
+FN Vec3 shade_polygon(Surface s, Polygon polygon) {
+  ShadedLight shaded =
+      shade_integral(s, integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe));
+  return shaded.diffuse + shaded.specular;
 }
 
 /// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but

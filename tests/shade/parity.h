@@ -11,7 +11,7 @@
 namespace openltc::testing {
 
 constexpr int k_parity_inputs = 30;
-constexpr int k_parity_max_outputs = 160;
+constexpr int k_parity_max_outputs = 256;
 
 /// Evaluates `count` inputs, a multiple of 16: in[k * count + i] is input k of element i, out
 /// likewise. Returns the number of outputs.

@@ -104,6 +104,13 @@ TestPolygon::TestPolygon(const std::vector<Ring>& rings, Vec3d origin, Vec3d axi
   view_.in_plane = in_plane_.data();
   view_.point_count = int(points_.size() / 4);
   view_.two_sided = two_sided;
+  double area = 0;
+  for (const Ring& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2d a = ring[i], b = ring[(i + 1) % ring.size()];
+      area += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+  view_.area = float(area);
   const auto store = [](Vec3d v, float* to) {
     to[0] = float(v.x);
     to[1] = float(v.y);

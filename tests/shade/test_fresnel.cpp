@@ -68,7 +68,7 @@ TEST_CASE("dielectrics: the Fresnel of the light's direction, not the lobe's ave
     const testing::Ring ring = {Vec2d(-a, -b), Vec2d(a, -b), Vec2d(a, b), Vec2d(-a, b)};
     const TestPolygon polygon({ring}, center, plane.t1, plane.t2);
 
-    const f64::PolygonIntegral integral =
+    const f64::LightIntegral integral =
         f64::integrate_polygon(polygon.view(), none, s.frame, s.fitted.lobe);
     const double exact = exact_specular(s, center, plane.t1, plane.t2, a, b);
     const double share = integral.specular * s.inv_share;

@@ -70,7 +70,7 @@ TEST_CASE("share_above_horizon is the integral of the lobe over the upper hemisp
 TEST_CASE("a light over the whole hemisphere meets the share and the mean direction above it") {
   const f64::Frame frame = f64::shading_frame(k_up, k_up);
   for_fitted_lobes([&](const f64::FittedLobe& fitted, double, double) {
-    const f64::PolygonIntegral integral =
+    const f64::LightIntegral integral =
         f64::integrate_polygon(whole_hemisphere().view(), k_origin, frame, fitted.lobe);
     CHECK(std::abs(integral.diffuse - 1) < 1e-8);
     CHECK(std::abs(integral.specular - f64::share_above_horizon(fitted.lobe)) < 1e-8);

@@ -32,7 +32,7 @@ TEST_CASE("a ray hits a polygon where the winding number says inside") {
     const bool at_plane = i % 7 != 0;
     const Vec3d direction = at_plane ? normalize(target - position) : random.sphere();
 
-    const f64::PolygonHit hit = f64::intersect_polygon(polygon.view(), position, direction);
+    const f64::LightPoint hit = f64::intersect_polygon(polygon.view(), position, direction);
     const Vec3d normal = f64::polygon_normal(polygon.view());
     const double slope = dot(direction, normal);
     const double t = dot(f64::polygon_origin(polygon.view()) - position, normal) / slope;

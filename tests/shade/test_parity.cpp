@@ -198,8 +198,13 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"clipped_edge_term", 1e-3},
       {"integrate_polygon", 5e-5},
       {"shade_polygon", 5e-5},
-      // rays that graze the polygon's plane
-      {"intersect_polygon", 1e-3}};
+      {"integrate_ellipse", 5e-5},
+      {"integrate_sphere", 5e-5},
+      {"sample_ellipse", 1e-5},
+      {"sample_sphere", 1e-5},
+      // rays that graze the light's plane
+      {"intersect_polygon", 1e-3},
+      {"intersect_ellipse", 5e-3}};
   for (const auto& entry : result.worst) {
     const std::string& name = entry.first;
     const double worst = entry.second;
@@ -235,7 +240,8 @@ TEST_CASE("float follows double in every function") {
     const std::string& name = entry.first;
     const double worst = entry.second;
     CAPTURE(name);
-    CHECK(worst < 2e-4);
+    // Rays that graze the light's plane meet it far away.
+    CHECK(worst < (name == "intersect_ellipse" ? 2e-2 : 2e-4));
   }
   CHECK(result.flipped <= 20);
 }

@@ -30,7 +30,7 @@ TEST_CASE("polygon integrals equal brute-force quadrature, both horizons honoure
     const Setting s = random_setting(random, random.log_uniform(0.08, 1.0));
     const Plane p = random_plane(random, s.position);
     const TestPolygon polygon(shape(i % 5), p.origin, p.u, p.v);
-    const f64::PolygonIntegral integral =
+    const f64::LightIntegral integral =
         f64::integrate_polygon(polygon.view(), s.position, s.frame, s.lobe);
     const double diffuse =
         brute_force_integral(polygon.view(), s.position, s.frame, f64::cosine_lobe(), 1e-9);
@@ -70,7 +70,7 @@ TEST_CASE("vertices exactly on the horizon do not open the outline") {
       const Vec3d out(std::cos(turn), std::sin(turn), 0);
       const Vec3d u(out.y, -out.x, 0), v(0, 0, 1);
       const TestPolygon polygon({ring}, out, u, v);
-      const f64::PolygonIntegral integral =
+      const f64::LightIntegral integral =
           f64::integrate_polygon(polygon.view(), Vec3d(0, 0, 0), frame, lobe);
       CAPTURE(turn);
       const Vec3d origin(0, 0, 0);
@@ -96,11 +96,9 @@ TEST_CASE("the parts of a polygon add up to the whole") {
                            p.u, p.v);
     const TestPolygon right({testing::rectangle(0.75 - cut, 0.8, {(cut + 0.75) / 2, 0})}, p.origin,
                             p.u, p.v);
-    const f64::PolygonIntegral w =
-        f64::integrate_polygon(whole.view(), s.position, s.frame, s.lobe);
-    const f64::PolygonIntegral l = f64::integrate_polygon(left.view(), s.position, s.frame, s.lobe);
-    const f64::PolygonIntegral r =
-        f64::integrate_polygon(right.view(), s.position, s.frame, s.lobe);
+    const f64::LightIntegral w = f64::integrate_polygon(whole.view(), s.position, s.frame, s.lobe);
+    const f64::LightIntegral l = f64::integrate_polygon(left.view(), s.position, s.frame, s.lobe);
+    const f64::LightIntegral r = f64::integrate_polygon(right.view(), s.position, s.frame, s.lobe);
     // Corners are single precision; a cut of the plane moves by 1e-7.
     CHECK(l.diffuse + r.diffuse == doctest::Approx(w.diffuse).epsilon(1e-6));
     CHECK(l.specular + r.specular == doctest::Approx(w.specular).epsilon(1e-5));
@@ -116,9 +114,9 @@ TEST_CASE("a hole takes away what its outline would give") {
     const TestPolygon both({outer, testing::reversed(inner)}, p.origin, p.u, p.v);
     const TestPolygon full({outer}, p.origin, p.u, p.v);
     const TestPolygon hole({inner}, p.origin, p.u, p.v);
-    const f64::PolygonIntegral b = f64::integrate_polygon(both.view(), s.position, s.frame, s.lobe);
-    const f64::PolygonIntegral f = f64::integrate_polygon(full.view(), s.position, s.frame, s.lobe);
-    const f64::PolygonIntegral h = f64::integrate_polygon(hole.view(), s.position, s.frame, s.lobe);
+    const f64::LightIntegral b = f64::integrate_polygon(both.view(), s.position, s.frame, s.lobe);
+    const f64::LightIntegral f = f64::integrate_polygon(full.view(), s.position, s.frame, s.lobe);
+    const f64::LightIntegral h = f64::integrate_polygon(hole.view(), s.position, s.frame, s.lobe);
     CHECK(b.diffuse == doctest::Approx(f.diffuse - h.diffuse).epsilon(1e-9));
     CHECK(b.specular == doctest::Approx(f.specular - h.specular).epsilon(1e-9));
   }
@@ -130,7 +128,7 @@ TEST_CASE("turning everything together changes nothing; turning the light about 
     const Setting s = random_setting(random, random.log_uniform(0.05, 1.0));
     const Plane p = random_plane(random, s.position);
     const TestPolygon polygon(shape(i % 5), p.origin, p.u, p.v);
-    const f64::PolygonIntegral before =
+    const f64::LightIntegral before =
         f64::integrate_polygon(polygon.view(), s.position, s.frame, s.lobe);
 
     // A rotation given by an orthonormal basis.
@@ -138,7 +136,7 @@ TEST_CASE("turning everything together changes nothing; turning the light about 
     const auto turn = [&](Vec3d v) { return f64::to_world(basis, v); };
     const f64::Frame frame = {turn(s.frame.t1), turn(s.frame.t2), turn(s.frame.n)};
     const TestPolygon turned(shape(i % 5), turn(p.origin), turn(p.u), turn(p.v));
-    const f64::PolygonIntegral after =
+    const f64::LightIntegral after =
         f64::integrate_polygon(turned.view(), turn(s.position), frame, s.lobe);
     CHECK(after.diffuse == doctest::Approx(before.diffuse).epsilon(2e-6));
     CHECK(after.specular == doctest::Approx(before.specular).epsilon(1e-5));
@@ -147,7 +145,7 @@ TEST_CASE("turning everything together changes nothing; turning the light about 
     const f64::Frame about_n = {s.frame.t1 * std::cos(angle) + s.frame.t2 * std::sin(angle),
                                 s.frame.t2 * std::cos(angle) - s.frame.t1 * std::sin(angle),
                                 s.frame.n};
-    const f64::PolygonIntegral other =
+    const f64::LightIntegral other =
         f64::integrate_polygon(polygon.view(), s.position, about_n, f64::cosine_lobe());
     CHECK(other.diffuse == doctest::Approx(before.diffuse).epsilon(2e-8));
     CHECK(other.specular == doctest::Approx(before.diffuse).epsilon(2e-8));
@@ -192,7 +190,7 @@ TEST_CASE("a polygon below the surface gives exactly nothing, whatever the lobe"
     for (int k = 0; k < polygon.view().point_count; ++k)
       highest = std::max(highest, dot(f64::polygon_point(polygon.view(), k), s.frame.n));
     s.position += s.frame.n * (highest - dot(s.position, s.frame.n) + random.log_uniform(1e-3, 1));
-    const f64::PolygonIntegral d =
+    const f64::LightIntegral d =
         f64::integrate_polygon(polygon.view(), s.position, s.frame, s.lobe);
     CHECK(d.diffuse == 0);
     CHECK(d.specular == 0);
@@ -206,7 +204,7 @@ TEST_CASE("a huge ceiling covers the whole hemisphere") {
     s.position = Vec3d(0, 0, 0);
     const Vec3d origin = s.frame.n * 1.0;
     const TestPolygon ceiling({testing::rectangle(2e4, 2e4)}, origin, s.frame.t2, s.frame.t1);
-    const f64::PolygonIntegral d =
+    const f64::LightIntegral d =
         f64::integrate_polygon(ceiling.view(), s.position, s.frame, s.lobe);
     // The rest of the hemisphere: everything within 1e-4 of the horizon.
     CHECK(d.diffuse == doctest::Approx(1).epsilon(1e-6));

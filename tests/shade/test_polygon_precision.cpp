@@ -67,10 +67,9 @@ TEST_CASE("single precision follows double") {
     const f32::Frame frame = to_float(s.frame);
     const f32::Lobe lobe = to_float(s.lobe);
     const Vec3f position = to_float(s.position);
-    const f32::PolygonIntegral single =
-        f32::integrate_polygon(polygon.view(), position, frame, lobe);
-    const f64::PolygonIntegral exact = f64::integrate_polygon(polygon.view(), to_double(position),
-                                                              to_double(frame), to_double(lobe));
+    const f32::LightIntegral single = f32::integrate_polygon(polygon.view(), position, frame, lobe);
+    const f64::LightIntegral exact = f64::integrate_polygon(polygon.view(), to_double(position),
+                                                            to_double(frame), to_double(lobe));
     const double diffuse = std::abs(double(single.diffuse) - exact.diffuse);
     const double specular = std::abs(double(single.specular) - exact.specular);
     worst_diffuse = std::max(worst_diffuse, diffuse);
@@ -125,9 +124,9 @@ TEST_CASE("degenerate outlines and positions give finite values in range") {
       if (i % 5 == 2) position = p.origin + p.u * c.x + p.v * c.y;
       if (i % 5 == 3) position = p.origin + p.u * ((c.x + d.x) / 2) + p.v * ((c.y + d.y) / 2);
       if (i % 5 == 4) position = p.origin + p.u * 0.1 + n * random.log_uniform(1e-12, 1e-3);
-      const f32::PolygonIntegral single = f32::integrate_polygon(
-          polygon.view(), to_float(position), to_float(s.frame), to_float(s.lobe));
-      const f64::PolygonIntegral d64 =
+      const f32::LightIntegral single = f32::integrate_polygon(polygon.view(), to_float(position),
+                                                               to_float(s.frame), to_float(s.lobe));
+      const f64::LightIntegral d64 =
           f64::integrate_polygon(polygon.view(), position, s.frame, s.lobe);
       CAPTURE(i);
       CHECK(
@@ -153,8 +152,8 @@ TEST_CASE("an outline of no area gives next to nothing") {
     const Plane p = random_plane(random, s.position);
     const TestPolygon line({{Vec2d(0, 0), Vec2d(1, 0), Vec2d(0.4, 0), Vec2d(1, 0)}}, p.origin, p.u,
                            p.v);
-    const f32::PolygonIntegral d = f32::integrate_polygon(line.view(), to_float(s.position),
-                                                          to_float(s.frame), to_float(s.lobe));
+    const f32::LightIntegral d = f32::integrate_polygon(line.view(), to_float(s.position),
+                                                        to_float(s.frame), to_float(s.lobe));
     CHECK(d.diffuse < 1e-6f);
     CHECK(d.specular < 1e-4f);
   }
@@ -185,7 +184,7 @@ TEST_CASE("adversarial numbers never give NaN, infinity or a negative value") {
                                              random.uniform(0, 1.5), 2 * cos_theta + 1e-3),
                                        alpha, cos_theta));
     const Vec3f position{float(pick()), float(pick()), float(pick())};
-    const f32::PolygonIntegral d =
+    const f32::LightIntegral d =
         f32::integrate_polygon(polygon.view(), position, to_float(frame), lobe);
     CAPTURE(i);
     CHECK(sums_are_finite(polygon.view(), position, to_float(frame), lobe));

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Edges of what a lobe is integrated over: clipped to both horizons, closed at an apex.
+//
+// Sources:
+//   Lambert 1760; Baum, Rushmeier, Winget 1989, "Improving Radiosity Solutions Through the Use of
+//     Analytically Determined Form-Factors", equation 9 (edge sum);
+//   Heitz, Dupuy, Hill, Neubelt 2016, equations 4 to 11 (the integral under M^-1).
+//
+// For a polygon in cosine space, wholly above its horizon,
+//   E = 1/(2 pi) sum over edges of theta_k (a_k x b_k)_z / |a_k x b_k|,
+// theta_k being the angle between the edge's end points a_k and b_k as seen from the origin.
+//
+// Two horizons bound what counts: the surface's, z >= 0 before M^-1, and the cosine's, z_o >= 0
+// after it. Together they leave a wedge whose apex is the line through the origin along which both
+// planes meet. M^-1 keeps the y axis (see lobe.glsl), so that line is the y axis in either space.
+//
+// Each edge is clipped to the wedge by itself. Where it enters or leaves, the outline of the
+// clipped polygon continues along one of the two planes, and we close it by an arc to the apex: to
+// +y or -y, whichever the polygon's plane meets. Arcs on the same plane telescope, whatever the
+// order of the edges, so concave outlines, holes and any number of vertices need no clip buffer and
+// no search for neighbours: the result is a plain sum over edges. The arc to the apex q = (0, s, 0)
+// has (p x q)_z = s p_x.
+
+/// v / |v|, or the normal where v has no direction to speak of.
+FN Vec3 safe_direction(Vec3 v) {
+  Real length2 = dot(v, v);
+  Mask usable = length2 > Real(k_tiny);
+  return select(usable, v * inversesqrt(max(length2, Real(k_tiny))),
+                Vec3(Real(0.0), Real(0.0), Real(1.0)));
+}
+
+/// theta / sin(theta) from x = cos(theta) and sin2 = sin(theta)^2, for 0 <= theta < pi.
+///
+/// For x >= 0 a rational minimax fit of degree 3/3, relative error 1.0e-9; for x < 0 from
+/// theta = pi - theta', which is exact. It grows without bound towards x = -1, where 1 - x^2 has no
+/// digits left; so the caller, who knows the vectors, passes sin2 as well.
+FN Real theta_over_sin(Real x, Real sin2) {
+  Real y = min(abs(x), Real(1.0));
+  Real p = Real(1.5707963252152057) +
+           y * (Real(1.638642066993385) +
+                y * (Real(0.35581734455759484) + y * Real(0.004572514079188905)));
+  Real q = Real(1.0) + y * (Real(1.679811571269012) +
+                            y * (Real(0.7959248032398663) + y * Real(0.09409187287776444)));
+  Real v = p / q;
+  Real inv_sin = inversesqrt(max(sin2, Real(k_tiny)));
+  return select(x < Real(0.0), k_pi * inv_sin - v, v);
+}
+
+/// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
+/// itself so that the cross product of a small, far edge does not cancel. Never longer than pi: a
+/// vector over its length, times an angle.
+FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {
+  Real inv_a = inversesqrt(max(dot(a, a), Real(k_tiny)));
+  Real inv_b = inversesqrt(max(dot(b, b), Real(k_tiny)));
+  Real x = dot(a, b) * inv_a * inv_b;
+  Vec3 c = cross(a * inv_a, d * inv_b);
+  return c * theta_over_sin(x, dot(c, c));
+}
+
+/// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
+FN Vec3 apex_term(Vec3 p, Real s) {
+  Vec3 u = p * inversesqrt(max(dot(p, p), Real(k_tiny)));
+  Real weight = s * theta_over_sin(s * u.y, u.x * u.x + u.z * u.z);
+  return Vec3(-weight * u.z, Real(0.0), weight * u.x);
+}
+
+/// One edge of the outline, clipped to the wedge and closed towards the apex.
+/// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
+FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
+  Vec3 d = b_o - a_o;
+  Mask a_inside = a_z >= Real(0.0) && a_o.z >= Real(0.0);
+  Mask b_inside = b_z >= Real(0.0) && b_o.z >= Real(0.0);
+  Mask whole = a_inside && b_inside;
+  // Uniform shortcut: no lane needs to clip.
+  if (all_lanes(whole)) {
+    return edge_term(a_o, b_o, d);
+  }
+
+  // Interval [t0, t1] of the edge inside both half-spaces.
+  Real surface_t = a_z / (a_z - b_z + select(a_z == b_z, Real(1.0), Real(0.0)));
+  Real cosine_t = a_o.z / (a_o.z - b_o.z + select(a_o.z == b_o.z, Real(1.0), Real(0.0)));
+  Mask surface_enters = a_z < Real(0.0) && b_z >= Real(0.0);
+  Mask surface_leaves = a_z >= Real(0.0) && b_z < Real(0.0);
+  Mask cosine_enters = a_o.z < Real(0.0) && b_o.z >= Real(0.0);
+  Mask cosine_leaves = a_o.z >= Real(0.0) && b_o.z < Real(0.0);
+  Real t0 = max(select(surface_enters, surface_t, Real(0.0)),
+                select(cosine_enters, cosine_t, Real(0.0)));
+  Real t1 = min(select(surface_leaves, surface_t, Real(1.0)),
+                select(cosine_leaves, cosine_t, Real(1.0)));
+  // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
+  // length left but still opens or closes the outline there.
+  Mask outside = (a_z < Real(0.0) && b_z < Real(0.0)) ||
+                 (a_o.z < Real(0.0) && b_o.z < Real(0.0)) || t0 > t1;
+
+  Vec3 p0 = a_o + d * t0;
+  Vec3 p1 = a_o + d * t1;
+  // A point cut at the cosine's horizon lies on it.
+  p0.z = max(p0.z, Real(0.0));
+  p1.z = max(p1.z, Real(0.0));
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 sum = edge_term(p0, p1, d * (t1 - t0));
+  sum = sum - select(a_inside, none, apex_term(p0, s));
+  sum = sum + select(b_inside, none, apex_term(p1, s));
+  return select(outside, none, sum);
+}
+
+/// Whether a point lies in a light's plane as far as single precision can tell: h, its distance,
+/// is below what rounding of the coordinates may make of 0. Such a point, on the emitter itself or
+/// on a wall flush with it, has no side, and gets no light from it.
+FN Mask lies_in_plane(Real h, Vec3 position, Vec3 origin) {
+  Real size2 = dot(position, position) + dot(origin, origin);
+  return h * h <= Real(k_plane_tolerance * k_plane_tolerance) * size2;
+}
+
+/// What shading wants to know of a light of radiance 1, whatever its shape, without shadow.
+///
+/// Both integrals are z components of vector irradiances, in shading space and in cosine space. The
+/// vectors' directions are the mean directions of the part of the light that counts; of the
+/// specular one, carried back by M, shading takes the Fresnel reflectance.
+struct LightIntegral {
+  Real diffuse;            // integral of cos/pi over the light, 0..1
+  Real specular;           // integral of the lobe's density, both horizons respected, 0..1
+  Vec3 diffuse_direction;  // shading space, unit
+  Vec3 specular_direction; // shading space, unit
+};
+
+/// From the vector irradiances times 2 pi.
+FN LightIntegral light_integral(Vec3 diffuse, Vec3 specular, Lobe lobe) {
+  LightIntegral result;
+  result.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
+  result.specular = min(max(specular.z * k_half_inv_pi, Real(0.0)), Real(1.0));
+  result.diffuse_direction = safe_direction(diffuse);
+  result.specular_direction = safe_direction(from_cosine(lobe, safe_direction(specular)));
+  return result;
+}
+
+/// A point of a light seen from a shaded point, met by a ray or drawn at random.
+struct LightPoint {
+  Mask hit;          // whether light comes from there: in front, on the emitting side
+  Vec3 direction;    // to the point, unit, world space
+  Real distance;     // metres
+  Real cos_light;    // cosine at the light, 0..1
+  Real solid_angle;  // 1 / the density per solid angle with which the light's sampling draws it
+};
+
+/// Solid angle of an area, turned by the cosine, at a distance: 1 / density per solid angle of
+/// points that are evenly distributed over it.
+FN Real solid_angle_of_area(Real area, Real cos_light, Real distance2) {
+  return area * cos_light / max(distance2, Real(k_tiny));
+}
+
+/// A point of a planar light of that area, `offset` from the shaded point.
+FN LightPoint area_light_point(Vec3 offset, Vec3 normal, Real area, Real two_sided,
+                               Mask in_plane) {
+  Real distance2 = max(dot(offset, offset), Real(k_tiny));
+  Real inv_distance = inversesqrt(distance2);
+  LightPoint result;
+  result.direction = offset * inv_distance;
+  Real facing = -dot(result.direction, normal);
+  result.cos_light = select(two_sided > Real(0.0), abs(facing), facing);
+  result.hit = result.cos_light > Real(1.0e-6) && !in_plane;
+  result.distance = distance2 * inv_distance;
+  result.solid_angle = solid_angle_of_area(area, result.cos_light, distance2);
+  return result;
+}

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The integral of a lobe over a sphere, exact, clipped to both horizons: the cone of directions that
+// touch it is that of a disk. See cone.glsl.
+
+struct Sphere {
+  Vec3 center; // world space
+  Real radius;
+};
+
+/// Semi-axes of a disk around p that fills the same directions as the sphere of that radius around
+/// p, |p| > radius: its radius is |p| tan s with sin s = radius / |p|.
+FN Real tangent_disk_radius(Real distance2, Real radius) {
+  // tan^2 = sin^2 / (1 - sin^2); the difference is formed of lengths so that it does not cancel.
+  Real distance = sqrt(distance2);
+  Real leg2 = max((distance - radius) * (distance + radius), Real(1.0e-12) * distance2);
+  return distance * radius * inversesqrt(max(leg2, Real(k_tiny)));
+}
+
+/// Integrals over a sphere seen from `position` (world space), for Lambert and for `lobe`. Zero
+/// inside: it emits outwards.
+FN LightIntegral integrate_sphere(Sphere sphere, Vec3 position, Frame frame, Lobe lobe) {
+  Vec3 center = to_shading(frame, sphere.center - position);
+  Real distance2 = dot(center, center);
+  Vec3 axis = center * inversesqrt(max(distance2, Real(k_tiny)));
+  Real radius = tangent_disk_radius(distance2, sphere.radius);
+  Vec3 u = any_perpendicular(axis);
+  Vec3 v = cross(axis, u) * radius;
+  u = u * radius;
+  Vec3 up = Vec3(Real(0.0), Real(0.0), Real(1.0));
+  Vec3 diffuse = clipped_cone(make_cone(center, u, v), up);
+  Vec3 specular =
+      clipped_cone(make_cone(to_cosine(lobe, center), to_cosine(lobe, u), to_cosine(lobe, v)),
+                   horizon_normal_cosine(lobe));
+  Real outside = select(distance2 > sphere.radius * sphere.radius, Real(1.0), Real(0.0));
+  return light_integral(diffuse * outside, specular * outside, lobe);
+}
+
+/// The sphere's cone of directions from a point: what sampling and meeting it share.
+struct SphereCone {
+  Vec3 axis; // unit
+  Real distance2;
+  Real one_minus_cos; // of the half angle
+  Mask outside;
+};
+
+FN SphereCone sphere_cone(Sphere sphere, Vec3 position) {
+  Vec3 to_center = sphere.center - position;
+  SphereCone cone;
+  cone.distance2 = max(dot(to_center, to_center), Real(k_tiny));
+  cone.axis = to_center * inversesqrt(cone.distance2);
+  Real sin2 = min(sphere.radius * sphere.radius / cone.distance2, Real(1.0));
+  // 1 - cos = sin^2 / (1 + cos) does not cancel.
+  cone.one_minus_cos = sin2 / (Real(1.0) + sqrt(max(Real(1.0) - sin2, Real(0.0))));
+  cone.outside = cone.distance2 > sphere.radius * sphere.radius;
+  return cone;
+}
+
+/// The sphere's near point along a unit direction with cosine 1 - one_minus_cos to its centre; `hit`
+/// is left for the caller.
+FN LightPoint sphere_point(Sphere sphere, SphereCone cone, Vec3 direction, Real one_minus_cos) {
+  Real cos_axis = Real(1.0) - one_minus_cos;
+  Real sin2 = max(one_minus_cos * (Real(1.0) + cos_axis), Real(0.0));
+  // Half of the chord, over the radius, is the cosine at the surface.
+  Real chord2 = max(sphere.radius * sphere.radius - cone.distance2 * sin2, Real(0.0));
+  Real half_chord = sqrt(chord2);
+  LightPoint result;
+  result.hit = cone.outside;
+  result.direction = direction;
+  result.distance = max(sqrt(cone.distance2) * cos_axis - half_chord, Real(0.0));
+  result.cos_light = min(half_chord / max(sphere.radius, Real(k_tiny)), Real(1.0));
+  result.solid_angle = Real(2.0) * k_pi * cone.one_minus_cos;
+  return result;
+}
+
+/// Where a ray from `position` along the unit `direction` meets the sphere. The density is that of
+/// sample_sphere.
+FN LightPoint intersect_sphere(Sphere sphere, Vec3 position, Vec3 direction) {
+  SphereCone cone = sphere_cone(sphere, position);
+  // |direction - axis|^2 = 2 (1 - cos), exact where the cosine itself is not.
+  Vec3 d = direction - cone.axis;
+  Real one_minus_cos = Real(0.5) * dot(d, d);
+  LightPoint result = sphere_point(sphere, cone, direction, one_minus_cos);
+  result.hit = result.hit && one_minus_cos <= cone.one_minus_cos;
+  return result;
+}
+
+/// A point of the sphere, evenly distributed over the solid angle, from two numbers in [0, 1).
+FN LightPoint sample_sphere(Sphere sphere, Vec3 position, Vec2 u) {
+  SphereCone cone = sphere_cone(sphere, position);
+  Real one_minus_cos = u.x * cone.one_minus_cos;
+  Real sin_axis = sqrt(max(one_minus_cos * (Real(2.0) - one_minus_cos), Real(0.0)));
+  Real phi = Real(2.0) * k_pi * u.y;
+  Vec3 e1 = any_perpendicular(cone.axis);
+  Vec3 e2 = cross(cone.axis, e1);
+  Vec3 direction = cone.axis * (Real(1.0) - one_minus_cos) + e1 * (sin_axis * cos(phi)) +
+                   e2 * (sin_axis * sin(phi));
+  return sphere_point(sphere, cone, normalize(direction), one_minus_cos);
+}
