@@ -24,9 +24,6 @@
 
 #include "openltc/render/light_bound.h"
 
-#include "openltc/light/curved.h"
-#include "openltc/light/polygon.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -131,149 +128,7 @@ LobeBound bound_lobe(const BatchBounds& batch, const Reach& reach) {
 /// At least the distance between two points of the box.
 float spread(const LightExtent& e) { return length(e.upper - e.lower); }
 
-Vec3f minimum(Vec3f a, Vec3f b) {
-  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-Vec3f maximum(Vec3f a, Vec3f b) {
-  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
-
-void emit(LightExtent& extent, Vec3f radiance, double projected_area) {
-  extent.radiance = radiance;
-  extent.area = float(projected_area);
-  extent.intensity = radiance * extent.area;
-}
-
-/// A convex surface that shines in all directions.
-void face_everywhere(LightExtent& extent) {
-  extent.normal_lower = Vec3f(-1);
-  extent.normal_upper = Vec3f(1);
-}
-
-void face_along(LightExtent& extent, Vec3f normal, bool two_sided) {
-  extent.normal_lower = extent.normal_upper = normal;
-  if (two_sided) {
-    extent.normal_lower = minimum(normal, -normal);
-    extent.normal_upper = maximum(normal, -normal);
-  }
-}
-
 } // namespace
-
-LightExtent light_extent(const light::PolygonLight& light, float texture_peak) {
-  LightExtent extent;
-  if (light.vertices.empty()) return extent;
-  extent.lower = extent.upper = light.vertices.front();
-  for (const Vec3f& p : light.vertices) {
-    extent.lower = minimum(extent.lower, p);
-    extent.upper = maximum(extent.upper, p);
-  }
-  face_along(extent, light.normal, light.two_sided);
-  extent.cosine_power = light.cosine_power;
-  emit(extent, light.radiance * texture_peak, light::area(light));
-  return extent;
-}
-
-LightExtent light_extent(const light::EllipseLight& light, float texture_peak) {
-  LightExtent extent;
-  const Vec3f u = light.half_u, v = light.half_v;
-  const Vec3f half(std::hypot(u.x, v.x), std::hypot(u.y, v.y), std::hypot(u.z, v.z));
-  extent.lower = light.center - half;
-  extent.upper = light.center + half;
-  face_along(extent, normalize(cross(u, v)), light.two_sided);
-  extent.cosine_power = light.cosine_power;
-  emit(extent, light.radiance * texture_peak, light::area(light));
-  return extent;
-}
-
-LightExtent light_extent(const light::SphereLight& light) {
-  LightExtent extent;
-  extent.lower = light.center - Vec3f(light.radius);
-  extent.upper = light.center + Vec3f(light.radius);
-  face_everywhere(extent);
-  // Seen from d the sphere has 2 pi (1 - sqrt(1 - r^2/d^2)) <= pi r^2 / (d - r)^2.
-  emit(extent, light.radiance, double(k_pi) * double(light.radius) * double(light.radius));
-  return extent;
-}
-
-LightExtent light_extent(const light::TubeLight& light) {
-  LightExtent extent;
-  extent.lower = minimum(light.from, light.to) - Vec3f(light.radius);
-  extent.upper = maximum(light.from, light.to) + Vec3f(light.radius);
-  face_everywhere(extent);
-  // A slice of the side shows at most its diameter: the angle between its normal and the viewer is
-  // at least the one around the axis. The ends show at most a disk each, of flat ones only one.
-  const double r = double(light.radius);
-  const double ends = light.caps == light::TubeCaps::round  ? 2
-                      : light.caps == light::TubeCaps::flat ? 1
-                                                            : 0;
-  emit(extent, light.radiance,
-       2 * r * double(length(light.to - light.from)) + ends * double(k_pi) * r * r);
-  return extent;
-}
-
-LightExtent light_extent(const light::LineLight& light) {
-  LightExtent extent;
-  extent.lower = minimum(light.from, light.to);
-  extent.upper = maximum(light.from, light.to);
-  face_everywhere(extent);
-  // No width, so no finite radiance: next to it nothing is bounded.
-  extent.radiance = Vec3f(k_unbounded);
-  extent.area = k_unbounded;
-  extent.intensity = light.intensity_per_metre * length(light.to - light.from);
-  return extent;
-}
-
-FarLight far_light(const light::PolygonLight& light) {
-  FarLight far;
-  if (light.two_sided || light.cosine_power > 0 || light.texture >= 0 || light.vertices.empty())
-    return far;
-  const auto to_double = [](Vec3f v) { return Vec3d(double(v.x), double(v.y), double(v.z)); };
-  const Vec3d normal = to_double(light.normal), origin = to_double(light.vertices.front());
-  // Signed triangles of a fan around a point, ring by ring.
-  const auto over_triangles = [&](Vec3d apex, const auto& visit) {
-    for (std::size_t r = 0; r < light.ring_end.size(); ++r) {
-      const auto ring = light::ring_vertices(light, r);
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec3d a = to_double(ring[i]) - apex,
-                    b = to_double(ring[(i + 1) % ring.size()]) - apex;
-        visit(a, b, 0.5 * dot(cross(a, b), normal));
-      }
-    }
-  };
-  double area = 0;
-  Vec3d center(0.0);
-  over_triangles(origin, [&](Vec3d a, Vec3d b, double triangle) {
-    area += triangle;
-    center += (a + b) * (triangle / 3);
-  });
-  if (!(area > 0)) return far;
-  center = origin + center / area;
-  double second = 0;
-  over_triangles(center, [&](Vec3d a, Vec3d b, double triangle) {
-    second += triangle / 6 * (dot(a, a) + dot(b, b) + dot(a, b));
-  });
-  far.valid = true;
-  far.center = Vec3f(float(center.x), float(center.y), float(center.z));
-  const float radiance[3] = {light.radiance.x, light.radiance.y, light.radiance.z};
-  for (int c = 0; c < 3; ++c)
-    far.moment[c] = light.normal * (radiance[c] * float(area));
-  far.second = light.radiance * float(std::max(second, 0.0));
-  return far;
-}
-
-LightExtent united(const LightExtent& a, const LightExtent& b) {
-  LightExtent u;
-  u.lower = minimum(a.lower, b.lower);
-  u.upper = maximum(a.upper, b.upper);
-  u.normal_lower = minimum(a.normal_lower, b.normal_lower);
-  u.normal_upper = maximum(a.normal_upper, b.normal_upper);
-  u.radiance = minimum(a.radiance + b.radiance, Vec3f(k_unbounded));
-  u.intensity = a.intensity + b.intensity;
-  u.area = std::min(a.area + b.area, k_unbounded);
-  u.cosine_power = std::min(a.cosine_power, b.cosine_power);
-  return u;
-}
 
 LightBound bound_light(const BatchBounds& batch, const TreeLight& light) {
   const LightExtent& extent = light.extent;
@@ -314,9 +169,12 @@ LightBound bound_light(const BatchBounds& batch, const TreeLight& light) {
   const float weight = std::min(m * m * m * m * m + axis_weight, 1.0f);
   const float narrow = extent.cosine_power > 0 ? std::pow(cos_light, extent.cosine_power) : 1.0f;
 
-  // The far form stands where all of every light faces all points and is above their horizon.
-  const bool far_diffuse = far.valid && cos_surface.lower > 0 && cosines_light.upper < 0;
-  const bool far_specular = far_diffuse && lobe.above;
+  // The far form stands where every light faces a point or none does. Where a horizon may cut one,
+  // it errs by what is on the other side, (n.d)(m.d) / |d|^4 < |p - centre| / |d|^3 for the diffuse
+  // part; the specular part is cut off there and is left out.
+  const bool far_diffuse = far.valid && (far.planar || cosines_light.upper < 0);
+  const bool cut = cos_surface.lower <= 0;
+  const bool far_specular = far_diffuse && !cut && lobe.above;
   const float inv_near = reach.inv_nearest, inv_near3 = inv_near * inv_near2;
   const float inv_near4 = inv_near2 * inv_near2;
   const float inv_o2 = 1 / std::max(lobe.least_length2, 1.0e-8f);
@@ -335,9 +193,11 @@ LightBound bound_light(const BatchBounds& batch, const TreeLight& light) {
     const float lobe_light = std::min(flux * density, radiance);
     all = std::max(all, diffuse + fresnel * lobe_light);
     specular_left_out = std::max(specular_left_out, fresnel * lobe_light);
-    diffuse_error = std::max(diffuse_error, batch.upper[k_bound_diffuse + c] * (1 / k_pi) *
-                                                (k_gradient * first * inv_near3 +
-                                                 0.5f * k_curvature * second * inv_near4));
+    diffuse_error =
+        std::max(diffuse_error,
+                 batch.upper[k_bound_diffuse + c] * (1 / k_pi) *
+                     ((cut ? std::sqrt(second * intensity) * inv_near3 : 0.0f) +
+                      k_gradient * first * inv_near3 + 0.5f * k_curvature * second * inv_near4));
     const float change = std::max(grazing, -batch.lower[k_bound_grazing + c]);
     specular_error =
         std::max(specular_error,

@@ -31,51 +31,8 @@ std::array<float, 6> features(const LightExtent& e, float direction_scale) {
   return {p.x, p.y, p.z, n.x, n.y, n.z};
 }
 
-double weight_of(const FarLight& far) {
+double power_of(const FarLight& far) {
   return double(length(far.moment[0]) + length(far.moment[1]) + length(far.moment[2]));
-}
-
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
-/// The far form of lights that have one each, of which the first moments vanish about their own
-/// centres.
-FarLight united_far(std::span<const TreeLight> lights, std::span<const std::int32_t> members) {
-  FarLight u;
-  Vec3d center(0.0);
-  double total = 0;
-  for (const std::int32_t i : members) {
-    const FarLight& far = lights[std::size_t(i)].far;
-    if (!far.valid) return u;
-    const double weight = weight_of(far);
-    center += to_double(far.center) * weight;
-    total += weight;
-  }
-  if (!(total > 0)) return u;
-  u.valid = true;
-  u.center = to_float(center / total);
-  double first[3], second[3];
-  for (int c = 0; c < 3; ++c) {
-    Vec3d sum(0.0), columns[3] = {Vec3d(0.0), Vec3d(0.0), Vec3d(0.0)};
-    second[c] = 0;
-    for (const std::int32_t i : members) {
-      const FarLight& far = lights[std::size_t(i)].far;
-      const Vec3d m = to_double(far.moment[c]);
-      const Vec3d d = to_double(far.center) - to_double(u.center);
-      sum += m;
-      columns[0] += m * d.x;
-      columns[1] += m * d.y;
-      columns[2] += m * d.z;
-      const float own[3] = {far.second.x, far.second.y, far.second.z};
-      second[c] += double(own[c]) + length(m) * dot(d, d);
-    }
-    u.moment[c] = to_float(sum);
-    first[c] = std::sqrt(dot(columns[0], columns[0]) + dot(columns[1], columns[1]) +
-                         dot(columns[2], columns[2]));
-  }
-  u.first = {float(first[0]), float(first[1]), float(first[2])};
-  u.second = {float(second[0]), float(second[1]), float(second[2])};
-  return u;
 }
 
 } // namespace
@@ -88,7 +45,7 @@ LightTree::LightTree(std::span<const TreeLight> lights) {
   double sum = 0;
   cdf_.push_back(0);
   for (const std::int32_t i : order_) {
-    sum += weight_of(lights[std::size_t(i)].far);
+    sum += power_of(lights[std::size_t(i)].far);
     cdf_.push_back(float(sum));
   }
 }
@@ -99,12 +56,10 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
   Node node;
   node.begin = begin;
   node.end = end;
-  node.light = lights[std::size_t(members.front())];
-  if (members.size() > 1) {
-    for (const std::int32_t i : members.subspan(1))
-      node.light.extent = united(node.light.extent, lights[std::size_t(i)].extent);
-    node.light.far = united_far(lights, members);
-  }
+  std::vector<TreeLight> together;
+  for (const std::int32_t i : members)
+    together.push_back(lights[std::size_t(i)]);
+  node.light = united(together);
   nodes_.push_back(node);
   if (members.size() == 1) return;
 
@@ -136,20 +91,31 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
   build(lights, begin + half, end);
 }
 
-void LightTree::choose(const BatchBounds& batch, double tolerance, LightChoice& choice) const {
+double LightTree::spacing() const {
+  if (nodes_.empty()) return 0;
+  // As if they were spread over a square.
+  const LightExtent& all = nodes_.front().light.extent;
+  return double(length(all.upper - all.lower)) / std::sqrt(double(order_.size()));
+}
+
+std::size_t LightTree::choose(const BatchBounds& batch, double tolerance, std::size_t most_exact,
+                              LightChoice& choice) const {
   using Entry = LightChoice::Entry;
   std::vector<Entry>& cut = choice.cut;
+  choice.leaves.clear();
   choice.exact.clear();
   choice.far.clear();
   cut.clear();
   double error = 0;  // of the bounded entries of the cut
   int unbounded = 0; // entries of the cut
+  std::size_t bounded = 0;
   const auto before = [](const Entry& a, const Entry& b) {
     return a.error != b.error ? a.error < b.error : a.node < b.node;
   };
   const auto add = [&](std::int32_t node) {
     const TreeLight& light = nodes_[std::size_t(node)].light;
     const LightBound bound = bound_light(batch, light);
+    ++bounded;
     if (bound.all <= 0) return;
     const float least = std::min(bound.all, bound.far_error);
     if (least < k_unbounded)
@@ -182,7 +148,7 @@ void LightTree::choose(const BatchBounds& batch, double tolerance, LightChoice& 
       --unbounded;
     const Node& node = nodes_[std::size_t(entry.node)];
     if (node.right == 0) {
-      choice.exact.push_back(order_[std::size_t(node.begin)]);
+      choice.leaves.push_back(entry);
       continue;
     }
     add(entry.node + 1);
@@ -195,16 +161,10 @@ void LightTree::choose(const BatchBounds& batch, double tolerance, LightChoice& 
     return a.bound.all != b.bound.all ? a.bound.all < b.bound.all : a.node < b.node;
   });
   double bounds = 0;
-  for (const Entry& entry : cut) {
-    if (entry.bound.all <= entry.bound.far_error) continue;
-    const double more = double(entry.bound.all) - double(entry.bound.far_error);
-    if (error + more <= tolerance) {
-      error += more;
-      continue;
-    }
+  const auto add_group = [&](const Entry& entry, bool exact) {
     const Node& node = nodes_[std::size_t(entry.node)];
-    FarGroup group;
     const FarLight& far = node.light.far;
+    FarGroup group;
     const float center[3] = {far.center.x, far.center.y, far.center.z};
     std::copy_n(center, 3, group.center);
     for (int c = 0; c < 3; ++c) {
@@ -212,17 +172,38 @@ void LightTree::choose(const BatchBounds& batch, double tolerance, LightChoice& 
       std::copy_n(moment, 3, group.moment[c]);
     }
     group.specular = entry.bound.far_specular;
+    group.exact = exact;
     bounds += double(entry.bound.all);
     group.cdf = float(bounds);
     group.begin = node.begin;
     group.end = node.end;
     choice.far.push_back(group);
+  };
+  std::sort(choice.leaves.begin(), choice.leaves.end(), [](const Entry& a, const Entry& b) {
+    return a.bound.all != b.bound.all ? a.bound.all > b.bound.all : a.node < b.node;
+  });
+  for (const Entry& entry : choice.leaves) {
+    const Node& node = nodes_[std::size_t(entry.node)];
+    if (choice.exact.size() >= most_exact && node.light.far.valid)
+      add_group(entry, true);
+    else
+      choice.exact.push_back(order_[std::size_t(node.begin)]);
+  }
+  for (const Entry& entry : cut) {
+    if (entry.bound.all <= entry.bound.far_error) continue;
+    const double more = double(entry.bound.all) - double(entry.bound.far_error);
+    if (error + more <= tolerance) {
+      error += more;
+      continue;
+    }
+    add_group(entry, false);
   }
   for (FarGroup& group : choice.far)
     group.cdf = float(double(group.cdf) / bounds);
   if (!choice.far.empty()) choice.far.back().cdf = 1;
   std::sort(choice.exact.begin(), choice.exact.end());
   choice.error_nits = error;
+  return bounded;
 }
 
 } // namespace openltc::render

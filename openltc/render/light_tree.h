@@ -17,7 +17,7 @@ namespace openltc::render {
 /// How a batch of surface points is to be lit.
 struct LightChoice {
   std::vector<std::int32_t> exact; ///< numbers of the lights to shade one by one, ascending
-  std::vector<FarGroup> far;       ///< groups to shade by their far form
+  std::vector<FarGroup> far;       ///< groups, and single lights, whose shadows are taken together
   double error_nits = 0;           ///< bound of what all this differs from shading every light
   /// Working memory.
   struct Entry {
@@ -25,7 +25,7 @@ struct LightChoice {
     std::int32_t node;
     LightBound bound;
   };
-  std::vector<Entry> cut;
+  std::vector<Entry> cut, leaves;
 };
 
 class LightTree {
@@ -35,7 +35,13 @@ public:
 
   /// Chooses how to light a batch so that the radiance of each point, in the closed form without
   /// shadow, is within `tolerance` nits, in any channel, of that of all lights.
-  void choose(const BatchBounds& batch, double tolerance, LightChoice& choice) const;
+  /// Of the lights to shade one by one, those after the `most_exact` with the largest bounds join
+  /// the groups, if they have a far form. Returns the number of bounds that this took.
+  std::size_t choose(const BatchBounds& batch, double tolerance, std::size_t most_exact,
+                     LightChoice& choice) const;
+
+  /// Typical distance from a light to the next, in metres.
+  double spacing() const;
 
   /// The lights in the order in which the groups hold them, see FarGroup.
   std::span<const std::int32_t> order() const { return order_; }

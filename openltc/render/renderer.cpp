@@ -24,6 +24,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace openltc::render {
@@ -39,7 +40,14 @@ constexpr std::size_t k_batch = 4096; // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
 // Fewer lights than this are all shaded: choosing among them costs as much.
 constexpr int k_min_lights_to_choose = 6;
-constexpr std::int32_t k_far_lights = -1; // whose sums a slot holds, when no single light's
+// Costs in terms of shading one point by one light without shadow: bounding a node of the light
+// tree for a range of points, shading by a far group, shading with shadow rays.
+constexpr double k_choosing_cost = 12, k_far_cost = 0.2, k_traced_cost = 20;
+constexpr double k_wide = 1; // points so far apart, or so turned, are split at once
+// Lights of a range of points that have shadow rays of their own; dimmer ones share a ratio.
+constexpr std::size_t k_most_traced = 24;
+constexpr std::size_t k_smallest_range = 32; // points that are not split any more, two registers
+constexpr std::int32_t k_far_lights = -1;    // whose sums a slot holds, when no single light's
 
 static_assert(k_tile == RayPacket::k_size);
 
@@ -57,6 +65,7 @@ struct Job {
   KernelContext context;
   const LightTree* tree; ///< null: all lights shade all points
   double tolerance_nits; ///< of what the tree chooses
+  double light_spacing;  ///< metres, typical distance from one light to the next
 };
 
 /// What shading took, over all tiles.
@@ -130,18 +139,70 @@ public:
 private:
   void shade_points() {
     if (points_.empty()) return;
-    if (job_.tree)
-      job_.tree->choose(points_.measure(job_.kernel, job_.context), job_.tolerance_nits, choice_);
+    shade_range(points_.all());
+    points_.clear();
+  }
+
+  // Shades points that are near to each other: where they are not, their lights are bounded badly
+  // and it pays to choose for each half. What is paid and gained is counted in what they shade.
+  void shade_range(PointBuffer::Range range) {
+    const std::size_t most_exact =
+        job_.context.trace ? k_most_traced : std::numeric_limits<std::size_t>::max();
+    if (job_.tree) {
+      const BatchBounds bounds = points_.measure(job_.kernel, job_.context, range);
+      const Width width = widest_field(bounds);
+      bool split = false;
+      if (range.size() >= 2 * k_smallest_range) {
+        split = width.relative > k_wide && range.size() >= 4 * k_smallest_range;
+        if (!split) {
+          const std::size_t nodes =
+              job_.tree->choose(bounds, job_.tolerance_nits, most_exact, choice_);
+          const double lights =
+              double(choice_.exact.size()) + k_far_cost * double(choice_.far.size());
+          const double shading =
+              double(range.size()) * lights * (job_.context.trace ? k_traced_cost : 1.0);
+          split = shading * std::min(width.relative, 1.0) > k_choosing_cost * double(nodes);
+        }
+      } else {
+        job_.tree->choose(bounds, job_.tolerance_nits, most_exact, choice_);
+      }
+      if (split) {
+        const std::size_t middle = points_.split(range, width.field);
+        shade_range({range.begin, middle});
+        shade_range({middle, range.end});
+        return;
+      }
+    }
     Lighting lighting;
     if (needs_ratio(job_.context)) lighting.far_slot = give_slots();
     lighting.lights = choice_.exact;
     lighting.slots = slots_;
     lighting.far = choice_.far;
-    const std::int64_t count = std::int64_t(points_.size());
+    const std::int64_t count = std::int64_t(range.size());
     points_shaded_ += count;
     exact_ += count * std::int64_t(choice_.exact.size());
     far_ += count * std::int64_t(choice_.far.size());
-    points_.shade(job_.kernel, job_.context, lighting, samples_, ratio_sums_, k_tile_pixels);
+    points_.shade(job_.kernel, job_.context, range, lighting, samples_, ratio_sums_, k_tile_pixels);
+  }
+
+  // By what points differ most: turned by a radian counts as much as being apart by the distance of
+  // the lights from each other.
+  struct Width {
+    PointField field = k_position_x;
+    double relative = 0; ///< to the distance of the lights from each other
+  };
+  Width widest_field(const BatchBounds& bounds) const {
+    static constexpr std::pair<int, PointField> fields[] = {
+        {k_bound_position, k_position_x},     {k_bound_position + 1, k_position_y},
+        {k_bound_position + 2, k_position_z}, {k_bound_normal, k_normal_x},
+        {k_bound_normal + 1, k_normal_y},     {k_bound_normal + 2, k_normal_z}};
+    Width widest;
+    for (const auto& [bound, field] : fields) {
+      const double extent = double(bounds.upper[bound]) - double(bounds.lower[bound]);
+      const double relative = field < k_normal_x ? extent / job_.light_spacing : extent;
+      if (relative > widest.relative) widest = {field, relative};
+    }
+    return widest;
   }
 
   // Sums for the lights that this tile meets for the first time. Returns those of far groups.
@@ -295,7 +356,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 
-  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, 0};
+  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, 0, 0};
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
@@ -328,6 +389,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
       context.far_lights.surface_deviation =
           std::max(context.far_lights.surface_deviation, 1.5f * light.surface_deviation);
     job.tree = &tree;
+    job.light_spacing = tree.spacing();
     job.tolerance_nits = double(options.light_error) *
                          light_level_nits(scene, textures, **rays, camera_rays, options.width,
                                           options.height, kernel, context, options.threads);

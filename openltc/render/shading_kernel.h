@@ -60,9 +60,10 @@ enum RatioSum {
 /// Polygon lights that a batch of points takes for one small patch; see FarLight in light_bound.h.
 struct FarGroup {
   float center[3];
-  float moment[3][3];      ///< sum of radiance times area times normal, for r, g and b
-  bool specular;           ///< whether there is a specular part worth having
-  float cdf;               ///< running share of the shadow samples, 1 for the last group
+  float moment[3][3]; ///< sum of radiance times area times normal, for r, g and b
+  bool exact;         ///< a single light, shaded in full; only its shadow is that of the groups
+  bool specular;      ///< whether there is a specular part worth having
+  float cdf;          ///< running share of the shadow samples, 1 for the last group
   std::int32_t begin, end; ///< its lights, in FarLights::order
 };
 
