@@ -50,6 +50,16 @@ Vec3f flux_lumens(const LineLight& light) {
   return light.intensity_per_metre * float(k_pi * k_pi * length_of(light.to - light.from));
 }
 
+float mean_emission(const SphereLight& light) {
+  return float(2 / (double(light.cosine_power) + 2));
+}
+
+float mean_emission(const TubeLight& light) {
+  const double p = double(light.cosine_power);
+  const double log_ratio = std::lgamma(p / 2 + 1) - std::lgamma(p / 2 + 1.5);
+  return p > 0 ? float(0.5 * std::sqrt(k_pi) * std::exp(log_ratio)) : 1.0f;
+}
+
 Status validate(const EllipseLight& light) {
   const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
   if (!is_finite(light.center)) return wrong("the centre is not finite");

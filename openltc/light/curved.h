@@ -24,6 +24,12 @@ Vec3f flux_lumens(const TubeLight& light);
 /// intensity per metre I = L w and the area pi w l, hence pi^2 I l.
 Vec3f flux_lumens(const LineLight& light);
 
+/// Mean of cos^p, p = cosine_power, over what one sees from afar of a curved light, by projected
+/// area: 2 / (p + 2) for a sphere; for a tube from the side gamma(p/2 + 1) sqrt(pi) / (2 gamma(p/2
+/// + 3/2)). What shading multiplies the radiance by; exact from afar, where most light is.
+float mean_emission(const SphereLight& light);
+float mean_emission(const TubeLight& light);
+
 /// Whether the light can be shaded. The error names the light and what is wrong: values that are
 /// not finite, sizes that are not greater than zero, axes that are not perpendicular, negative
 /// radiance.

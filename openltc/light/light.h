@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -82,18 +83,31 @@ struct LineLight : Emitter {
   Vec3f intensity_per_metre{1, 1, 1};      ///< cd/m, seen at a right angle to the line
 };
 
+struct IesProfile; // light/ies.h
+
 enum class PunctualType { point, spot, directional };
 
 /// A light without extent, as KHR_lights_punctual defines it.
 struct PunctualLight {
   std::string name;
   PunctualType type = PunctualType::point;
-  Vec3f position{0, 0, 0};   ///< world space; unused when directional
-  Vec3f direction{0, 0, -1}; ///< unit, world space, the way the light travels; spot, directional
-  Vec3f intensity{1, 1, 1};  ///< candela; lux when directional
-  float range = 0;           ///< metres, 0 = unlimited
-  float cos_inner = 1;       ///< spot: full intensity inside
+  Vec3f position{0, 0, 0}; ///< world space; unused when directional
+  /// Unit, world space, the way the light travels; spot, directional, and any with a profile, of
+  /// which it is the nadir, vertical angle 0.
+  Vec3f direction{0, 0, -1};
+  /// Candela; lux when directional. With a profile, candela where the profile has its maximum: so
+  /// the luminaire as measured has IesProfile::max_candela, times a colour of luminance 1.
+  Vec3f intensity{1, 1, 1};
+  float range = 0;               ///< metres, 0 = unlimited
+  float cos_inner = 1;           ///< spot: full intensity inside
   float cos_outer = 0.70710678f; ///< spot: none outside
+  /// Intensity by direction, relative to its maximum, times the cone of a spot. Null: the same in
+  /// every direction. Point and spot only.
+  std::shared_ptr<const IesProfile> profile;
+  /// Unit, world space, perpendicular to `direction`: the profile's horizontal angle 0; 90 degrees
+  /// is cross(right, direction). Unused without a profile. A node of the glTF draft EXT_lights_ies,
+  /// which shines along its -Z, has it along its +Y.
+  Vec3f right{0, 1, 0};
 };
 
 struct Lights {

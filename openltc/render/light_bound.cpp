@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace openltc::render {
@@ -89,6 +90,38 @@ Interval cosine(const Box& axis, const Reach& reach) {
   return {std::max(low - k_slack, -1.0f), std::min(high + k_slack, 1.0f)};
 }
 
+/// Four floats, for which compilers have operators.
+using Float4 = float __attribute__((vector_size(16)));
+
+Float4 load4(const float* p) {
+  Float4 v;
+  std::memcpy(&v, p, sizeof(v));
+  return v;
+}
+
+Float4 min4(Float4 a, Float4 b) { return a < b ? a : b; }
+Float4 max4(Float4 a, Float4 b) { return a > b ? a : b; }
+
+/// cosine() of the four directions of a batch at once.
+void cosines(const PreparedBatch& batch, const Reach& reach, Interval* result) {
+  const Interval d[3] = {reach.d.x, reach.d.y, reach.d.z};
+  Float4 low = {0, 0, 0, 0}, high = {0, 0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    const Float4 a = load4(batch.lower[i]), b = load4(batch.upper[i]);
+    const Float4 p = a * d[i].lower, q = a * d[i].upper, r = b * d[i].lower, s = b * d[i].upper;
+    low += min4(min4(p, q), min4(r, s));
+    high += max4(max4(p, q), max4(r, s));
+  }
+  // A positive end is largest over the least distance, a negative one over the largest.
+  low = min4(low * reach.inv_nearest, low * reach.inv_farthest);
+  high = max4(high * reach.inv_nearest, high * reach.inv_farthest);
+  const Float4 one = {1, 1, 1, 1};
+  low = max4(low - k_slack, -one);
+  high = min4(high + k_slack, one);
+  for (int i = 0; i < 4; ++i)
+    result[i] = {low[i], high[i]};
+}
+
 struct LobeBound {
   float density =
       0; ///< at least that of any point towards the lights, over its share above the horizon
@@ -96,10 +129,7 @@ struct LobeBound {
   bool above = false;      ///< all of them are above the cosine's horizon
 };
 
-LobeBound bound_lobe(const BatchBounds& batch, const Reach& reach) {
-  const Interval x = cosine(field3(batch, k_bound_mirror_x), reach);
-  const Interval y = cosine(field3(batch, k_bound_mirror_y), reach);
-  const Interval z = cosine(field3(batch, k_bound_mirror_z), reach);
+LobeBound bound_lobe(const BatchBounds& batch, Interval x, Interval y, Interval z) {
   const Interval a = field(batch, k_bound_a), ab = field(batch, k_bound_ab);
   const Interval oz = field(batch, k_bound_ac) * x + field(batch, k_bound_ad) * z;
   LobeBound lobe;
@@ -130,7 +160,17 @@ float spread(const LightExtent& e) { return length(e.upper - e.lower); }
 
 } // namespace
 
-LightBound bound_light(const BatchBounds& batch, const TreeLight& light) {
+PreparedBatch::PreparedBatch(const BatchBounds& b) : bounds(b) {
+  const int directions[4] = {k_bound_mirror_x, k_bound_mirror_y, k_bound_mirror_z, k_bound_normal};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < 4; ++i) {
+      lower[axis][i] = b.lower[directions[i] + axis];
+      upper[axis][i] = b.upper[directions[i] + axis];
+    }
+}
+
+LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
+  const BatchBounds& batch = prepared.bounds;
   const LightExtent& extent = light.extent;
   const FarLight& far = light.far;
   LightBound bound;
@@ -148,8 +188,6 @@ LightBound bound_light(const BatchBounds& batch, const TreeLight& light) {
   reach.inv_farthest = 1 / std::sqrt(far2);
 
   // Are the lights above any point's horizon, and do they face any?
-  const Interval cos_surface = cosine(field3(batch, k_bound_normal), reach);
-  if (cos_surface.upper <= 0) return bound;
   const Box normal = {{extent.normal_lower.x, extent.normal_upper.x},
                       {extent.normal_lower.y, extent.normal_upper.y},
                       {extent.normal_lower.z, extent.normal_upper.z}};
@@ -157,7 +195,11 @@ LightBound bound_light(const BatchBounds& batch, const TreeLight& light) {
   const float cos_light = -cosines_light.lower;
   if (cos_light <= 0) return bound;
 
-  const LobeBound lobe = bound_lobe(batch, reach);
+  Interval cosine_to[4];
+  cosines(prepared, reach, cosine_to);
+  const Interval cos_surface = cosine_to[3];
+  if (cos_surface.upper <= 0) return bound;
+  const LobeBound lobe = bound_lobe(batch, cosine_to[0], cosine_to[1], cosine_to[2]);
   const float density = lobe.density;
   const float form = cos_light * inv_near2;
   const float share = std::min(extent.area * form * density, 1.0f);

@@ -18,8 +18,18 @@ struct LightBound {
   bool far_specular = false; ///< whether that form has a specular part; without one it errs less
 };
 
+/// The bounds of a batch with four of its directions side by side, which is how they are used: the
+/// axes x', y, z' of the mirror frame, and the normal.
+struct PreparedBatch {
+  explicit PreparedBatch(const BatchBounds& bounds);
+
+  const BatchBounds& bounds; ///< outlives this
+  alignas(16) float lower[3][4];
+  alignas(16) float upper[3][4]; ///< [x y z][direction]
+};
+
 /// Bounds of the radiance, in nits and in any channel, that any point of the batch reflects from
 /// the lights of a group together, in the closed form without shadow. At most k_unbounded.
-LightBound bound_light(const BatchBounds& batch, const TreeLight& light);
+LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light);
 
 } // namespace openltc::render

@@ -4,9 +4,11 @@
 #include "openltc/render/light_set.h"
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ies.h"
+#include "openltc/light/emitter.h"
 #include "openltc/light/polygon.h"
 
-#include <fmt/format.h>
+#include <type_traits>
 
 namespace openltc::render {
 
@@ -39,6 +41,7 @@ void pack(const light::SphereLight& light, AreaLightView& view, LightSet&) {
   view.shape = LightShape::sphere;
   copy3(view.center, light.center);
   view.radius = light.radius;
+  view.mean_emission = light::mean_emission(light);
 }
 
 void pack(const light::TubeLight& light, AreaLightView& view, LightSet&) {
@@ -46,6 +49,7 @@ void pack(const light::TubeLight& light, AreaLightView& view, LightSet&) {
   copy3(view.from, light.from);
   copy3(view.to, light.to);
   view.radius = light.radius;
+  view.mean_emission = light::mean_emission(light);
   view.caps = light.caps == light::TubeCaps::none   ? 0.0f
               : light.caps == light::TubeCaps::flat ? 1.0f
                                                     : 2.0f;
@@ -59,11 +63,54 @@ void pack(const light::LineLight& light, AreaLightView& view, LightSet&) {
   view.cosine_power = 0;
 }
 
+// All stacks of a scene together take about this much; each has its share.
+constexpr double k_emission_bytes = 256e6;
+
+int emission_side(const light::Lights& lights) {
+  int count = 0;
+  lights.for_each_area_light([&](const light::Emitter& light) { count += light.texture >= 0; });
+  int side = light::EmissionStackOptions().max_side;
+  while (side > 64 && double(side) * side * 16 * 4 / 3 * count > k_emission_bytes)
+    side /= 2;
+  return side;
+}
+
+template <class Light>
+void pack_emission(const Light& light, const light::Lights& lights, int side, AreaLightView& view,
+                   LightSet& set) {
+  if constexpr (std::is_same_v<Light, light::PolygonLight> ||
+                std::is_same_v<Light, light::EllipseLight>) {
+    if (light.texture < 0) return;
+    if (std::size_t(light.texture) >= lights.textures.size()) {
+      set.warnings.push_back(
+          light::wrong_light(light.name, "its emission picture is missing").message +
+          "; it shines evenly");
+      return;
+    }
+    auto stack =
+        light::build_emission_stack(lights.textures[std::size_t(light.texture)], light, {side});
+    if (!stack.ok()) {
+      set.warnings.push_back(stack.error().message + "; it shines evenly");
+      return;
+    }
+    set.emissions.push_back(std::move(*stack));
+    view.emission = set.emissions.back().view;
+  }
+}
+
+float largest_value(const image::Image& picture) {
+  float largest = 0;
+  for (const float v : picture.data)
+    if (v > largest) largest = v;
+  return largest;
+}
+
 } // namespace
 
 LightSet pack_lights(const light::Lights& lights) {
   LightSet set;
   set.packed.reserve(lights.polygons.size());
+  const int side = emission_side(lights);
   lights.for_each_area_light([&](const auto& light) {
     if (const Status valid = light::validate(light); !valid.ok()) {
       set.warnings.push_back(valid.error().message + "; it is left out");
@@ -75,8 +122,12 @@ LightSet pack_lights(const light::Lights& lights) {
     view.cosine_power = light.cosine_power;
     view.surface_deviation = light.surface_deviation;
     pack(light, view, set);
+    pack_emission(light, lights, side, view, set);
     set.area_lights.push_back(view);
-    set.tree_lights.push_back(tree_light(light));
+    TreeLight in_tree = tree_light(light);
+    if (view.emission.texels)
+      in_tree = textured(in_tree, largest_value(lights.textures[std::size_t(light.texture)]));
+    set.tree_lights.push_back(in_tree);
   });
   for (const light::PunctualLight& light : lights.punctual) {
     if (const Status valid = light::validate(light); !valid.ok()) {
@@ -92,6 +143,12 @@ LightSet pack_lights(const light::Lights& lights) {
     view.spot = light.type == light::PunctualType::spot;
     view.cos_inner = light.cos_inner;
     view.cos_outer = light.cos_outer;
+    if (light.profile) {
+      view.profile = light.profile->view();
+      copy3(view.right, light.right);
+      copy3(view.across, cross(light.right, light.direction));
+      set.profiles.push_back(light.profile);
+    }
     set.punctual.push_back(view);
   }
   return set;

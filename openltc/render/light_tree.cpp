@@ -101,6 +101,7 @@ double LightTree::spacing() const {
 std::size_t LightTree::choose(const BatchBounds& batch, double tolerance, std::size_t most_exact,
                               LightChoice& choice) const {
   using Entry = LightChoice::Entry;
+  const PreparedBatch prepared(batch);
   std::vector<Entry>& cut = choice.cut;
   choice.leaves.clear();
   choice.exact.clear();
@@ -114,7 +115,7 @@ std::size_t LightTree::choose(const BatchBounds& batch, double tolerance, std::s
   };
   const auto add = [&](std::int32_t node) {
     const TreeLight& light = nodes_[std::size_t(node)].light;
-    const LightBound bound = bound_light(batch, light);
+    const LightBound bound = bound_light(prepared, light);
     ++bounded;
     if (bound.all <= 0) return;
     const float least = std::min(bound.all, bound.far_error);

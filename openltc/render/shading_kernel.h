@@ -112,7 +112,11 @@ struct AreaLightView {
   bool two_sided = false;        ///< ellipse; the polygon has its own
   float radiance[3] = {0, 0, 0}; ///< nits; cd/m of a line
   float cosine_power = 0;        ///< see light::Emitter
-  float surface_deviation = 0;   ///< see light::Emitter
+  /// sphere, tube: mean of the emission over what one sees of it, see light::mean_emission
+  float mean_emission = 1;
+  float surface_deviation = 0; ///< see light::Emitter
+  /// Polygons and ellipses: the picture that the radiance is multiplied by; no texels, no picture.
+  EmissionTextureView emission;
 };
 
 /// What shadow rays to groups of lights need.
@@ -130,6 +134,9 @@ struct PunctualLightView {
   bool spot = false; ///< has a cone
   float cos_inner = 1, cos_outer = -1;
   bool directional = false;
+  ProfileView profile;          ///< no values: the same in every direction
+  float right[3] = {0, 1, 0};   ///< the profile's horizontal angle 0
+  float across[3] = {-1, 0, 0}; ///< its horizontal angle 90 degrees
 };
 
 /// Rays of one register's lanes; a ray runs from origin to origin + direction.

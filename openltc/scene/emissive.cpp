@@ -9,6 +9,7 @@
 #include "openltc/scene/emissive.h"
 
 #include "openltc/light/polygon.h"
+#include "openltc/scene/emissive_texture.h"
 #include "openltc/scene/outline.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 // More lights than this deserve a word of warning: time grows with their number.
 constexpr std::size_t k_many_lights = 256;
+// The facets of a curved surface show little of the texture each: beyond this many, its mean does.
+constexpr std::size_t k_max_pictures = 32;
 
 Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
 Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
@@ -357,21 +360,33 @@ EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
   const TextureRef& ref = material.emission_texture;
   const auto& tex_coord = ref.tex_coord == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
   const bool is_textured = ref.texture >= 0 && !tex_coord.empty();
-  for (const Plane& plane : PlaneFinder(welded, extent, options, material.double_sided).find()) {
+  const std::vector<Plane> planes =
+      PlaneFinder(welded, extent, options, material.double_sided).find();
+  for (const Plane& plane : planes) {
     Vec3f radiance = emission;
+    std::vector<std::uint32_t> pictured; // triangles of a plane whose texture is not uniform
     if (is_textured) {
       const Texture& texture = textures[std::size_t(ref.texture)];
       TextureMean mean;
       for (const std::uint32_t member : plane.members)
         add_samples(mesh, ref, texture, welded.source[member], welded.areas[member], mean);
       radiance = emission * to_float(mean.sum / mean.weight);
-      result.is_texture_averaged = result.is_texture_averaged || mean.highest - mean.lowest > 0.01;
+      if (mean.highest - mean.lowest > 0.01)
+        for (const std::uint32_t member : plane.members)
+          pictured.push_back(welded.source[member]);
     }
     if (!(radiance.x > 0) && !(radiance.y > 0) && !(radiance.z > 0)) continue; // dark by texture
     light::PolygonLight light = light_of(welded, plane, extent);
     light.name = mesh.name;
     light.radiance = radiance;
     light.two_sided = material.double_sided;
+    if (!pictured.empty()) {
+      if (planes.size() <= k_max_pictures &&
+          place_emission_texture(mesh, ref, textures[std::size_t(ref.texture)], pictured, light))
+        light.radiance = emission;
+      else
+        result.is_texture_averaged = true;
+    }
     if (light::validate(light).ok())
       result.lights.push_back(std::move(light));
     else
@@ -381,6 +396,7 @@ EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
 }
 
 void add_emissive_lights(Scene& scene, Warnings& warnings) {
+  std::vector<int> shared_textures;
   for (const Mesh& mesh : scene.meshes) {
     EmissiveLights found =
         emissive_lights(mesh, scene.materials[std::size_t(mesh.material)], scene.textures);
@@ -395,8 +411,11 @@ void add_emissive_lights(Scene& scene, Warnings& warnings) {
           mesh.name, fmt::format("the curved emissive surface makes {} polygon lights, which "
                                  "takes long to render; fewer facets help",
                                  found.lights.size()));
-    for (auto& light : found.lights)
+    for (auto& light : found.lights) {
+      if (light.texture >= 0)
+        light.texture = share_emission_texture(scene, light.texture, shared_textures);
       scene.lights.polygons.push_back(std::move(light));
+    }
   }
 }
 

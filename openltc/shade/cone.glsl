@@ -106,7 +106,7 @@ FN Diagonalisation jacobi_sweep(Diagonalisation j) {
 /// axis; the others are s_i = q tan^2 of the half angles. The matrix is set up in a basis whose third
 /// axis is close to the cone's: then the small elements of a narrow cone are not lost beside the
 /// large one, and three sweeps of Jacobi's method find all to the last digits.
-FN Cone make_cone(Vec3 center, Vec3 a, Vec3 b) {
+FN_CALL Cone make_cone(Vec3 center, Vec3 a, Vec3 b) {
   Real size2 = dot(center, center) + dot(a, a) + dot(b, b);
   Real scale = inversesqrt(max(size2, Real(k_tiny)));
   Vec3 c = center * scale;
@@ -186,7 +186,7 @@ struct Arc {
 /// The part of the outline above the plane with unit normal `up`.
 ///
 /// In terms of the circle that the outline is a linear image of, the plane is p cos + q sin + r = 0.
-FN Arc arc_above(Cone cone, Vec3 up) {
+FN_CALL Arc arc_above(Cone cone, Vec3 up) {
   Real ratio = cone.c1 / cone.c2;
   Real p = dot(up, cone.e1) * cone.k1;
   Real q = dot(up, cone.e2) * cone.k2 * ratio;
@@ -219,18 +219,30 @@ FN Arc arc_above(Cone cone, Vec3 up) {
   return arc;
 }
 
+/// N of the point with cosine c and sine s of its parameter.
+FN Real cone_height(Cone cone, Real c, Real s) {
+  return sqrt(max(cone.c1 * cone.c1 * c * c + cone.c2 * cone.c2 * s * s, Real(k_tiny)));
+}
+
+/// The unit vector v(t), in the space of the cone's axes.
+FN Vec3 cone_direction(Cone cone, Real t) {
+  Real c = cos(t);
+  Real s = sin(t);
+  return cone.e1 * (cone.k1 * c) + cone.e2 * (cone.k2 * s) + cone.e3 * cone_height(cone, c, s);
+}
+
 /// The antiderivative of v x dv at the parameter t, in the frame of the cone, and v there.
 struct ConePoint {
   Vec3 sum;
   Vec3 direction;
 };
 
-FN ConePoint cone_point(Cone cone, Real t) {
+FN_CALL ConePoint cone_point(Cone cone, Real t) {
   Real c = cos(t);
   Real s = sin(t);
   Real m2 = max((cone.k1 - cone.k2) * (cone.k1 + cone.k2), Real(0.0));
   Real m = sqrt(m2);
-  Real n = sqrt(max(cone.c1 * cone.c1 * c * c + cone.c2 * cone.c2 * s * s, Real(k_tiny)));
+  Real n = cone_height(cone, c, s);
   Real inv_n = Real(1.0) / n;
   // atanh(z) / m = s / n times atanh(z) / z; the logarithm's argument is (1 + z) / sqrt(1 - z^2).
   Real ms = m * abs(s);
@@ -255,7 +267,7 @@ FN Real wrapped_turn(Real angle) {
 /// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z,
 /// and closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the
 /// vector irradiance. Ends that other edges continue from cancel with those.
-FN Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
+FN_CALL Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
   Arc surface = arc_above(cone, up);
   Arc cosine = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
   Real turn = Real(2.0) * k_pi;
@@ -284,18 +296,23 @@ FN Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z + ends;
 }
 
-/// Vector irradiance times 2 pi of a whole cone, clipped to the wedge between the horizons with unit
-/// normals `up` and z.
-FN Vec3 clipped_cone(Cone cone, Vec3 up) {
-  // The lowest point of the outline against a plane: the axis' height against the reach sideways.
-  Real above_surface = dot(up, cone.e3) * cone.c1 * cone.c2;
+/// Whether a cone lies wholly above the planes with unit normals `up` and z: the axis' height over
+/// each against the reach sideways.
+FN Mask cone_is_above(Cone cone, Vec3 up) {
+  Real height = dot(up, cone.e3) * cone.c1 * cone.c2;
   Real p = dot(up, cone.e1) * cone.k1 * cone.c2;
   Real q = dot(up, cone.e2) * cone.k2 * cone.c1;
-  Real above_cosine = cone.e3.z * cone.c1 * cone.c2;
+  Real height_o = cone.e3.z * cone.c1 * cone.c2;
   Real po = cone.e1.z * cone.k1 * cone.c2;
   Real qo = cone.e2.z * cone.k2 * cone.c1;
-  Mask whole = above_surface > Real(0.0) && above_surface * above_surface >= p * p + q * q &&
-               above_cosine > Real(0.0) && above_cosine * above_cosine >= po * po + qo * qo;
+  return height > Real(0.0) && height * height >= p * p + q * q && height_o > Real(0.0) &&
+         height_o * height_o >= po * po + qo * qo;
+}
+
+/// Vector irradiance times 2 pi of a whole cone, clipped to the wedge between the horizons with unit
+/// normals `up` and z.
+FN_CALL Vec3 clipped_cone(Cone cone, Vec3 up) {
+  Mask whole = cone_is_above(cone, up);
   Vec3 all = cone.e3 * (Real(2.0) * k_pi * cone.k1 * cone.k2);
   // Uniform shortcut: no lane needs to clip.
   if (all_lanes(whole)) {
@@ -309,4 +326,25 @@ FN Vec3 clipped_cone(Cone cone, Vec3 up) {
   part.extent = Real(2.0) * k_pi;
   Real s = select(cone.e3.y < Real(0.0), Real(-1.0), Real(1.0));
   return select(whole, all, clipped_arc_term(cone, part, up, s));
+}
+
+/// Parameter of the outline at a direction on it, -pi..pi.
+///
+/// Of a nearly flat cone the second coordinate is mostly rounding: there its sign alone is taken,
+/// and its size from the first.
+FN Real outline_parameter(Cone cone, Vec3 direction) {
+  Real inv_length = inversesqrt(max(dot(direction, direction), Real(k_tiny)));
+  Real x = dot(direction, cone.e1) * inv_length;
+  Real y = dot(direction, cone.e2) * inv_length;
+  Real x1 = min(max(x / max(cone.k1, Real(1.0e-12)), Real(-1.0)), Real(1.0));
+  Real y1 = sqrt(Real(1.0) - x1 * x1);
+  Mask flat_cone = cone.k2 < Real(0.02) * cone.k1;
+  return angle_of(select(flat_cone, x1, x * cone.k2),
+                  select(flat_cone, select(y < Real(0.0), -y1, y1), y * cone.k1));
+}
+
+/// Share of the outline's arc `part` in 2 pi times the vector irradiance, without horizons.
+FN Vec3 arc_term(Cone cone, Arc part) {
+  Vec3 sum = cone_point(cone, part.start + part.extent).sum - cone_point(cone, part.start).sum;
+  return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z;
 }

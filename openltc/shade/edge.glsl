@@ -66,18 +66,16 @@ FN Vec3 apex_term(Vec3 p, Real s) {
   return Vec3(-weight * u.z, Real(0.0), weight * u.x);
 }
 
-/// One edge of the outline, clipped to the wedge and closed towards the apex.
-/// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
-FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
-  Vec3 d = b_o - a_o;
-  Mask a_inside = a_z >= Real(0.0) && a_o.z >= Real(0.0);
-  Mask b_inside = b_z >= Real(0.0) && b_o.z >= Real(0.0);
-  Mask whole = a_inside && b_inside;
-  // Uniform shortcut: no lane needs to clip.
-  if (all_lanes(whole)) {
-    return edge_term(a_o, b_o, d);
-  }
+/// What is left of an edge within the wedge.
+struct ClippedEdge {
+  Vec3 p0; // cosine space
+  Vec3 p1;
+  Real extent; // in units of the edge
+  Mask outside;
+};
 
+/// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
+FN ClippedEdge clip_edge(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
   // Interval [t0, t1] of the edge inside both half-spaces.
   Real surface_t = a_z / (a_z - b_z + select(a_z == b_z, Real(1.0), Real(0.0)));
   Real cosine_t = a_o.z / (a_o.z - b_o.z + select(a_o.z == b_o.z, Real(1.0), Real(0.0)));
@@ -89,21 +87,46 @@ FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
                 select(cosine_enters, cosine_t, Real(0.0)));
   Real t1 = min(select(surface_leaves, surface_t, Real(1.0)),
                 select(cosine_leaves, cosine_t, Real(1.0)));
+  ClippedEdge edge;
   // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
   // length left but still opens or closes the outline there.
-  Mask outside = (a_z < Real(0.0) && b_z < Real(0.0)) ||
+  edge.outside = (a_z < Real(0.0) && b_z < Real(0.0)) ||
                  (a_o.z < Real(0.0) && b_o.z < Real(0.0)) || t0 > t1;
-
-  Vec3 p0 = a_o + d * t0;
-  Vec3 p1 = a_o + d * t1;
+  Vec3 d = b_o - a_o;
+  edge.p0 = a_o + d * t0;
+  edge.p1 = a_o + d * t1;
+  edge.extent = t1 - t0;
   // A point cut at the cosine's horizon lies on it.
-  p0.z = max(p0.z, Real(0.0));
-  p1.z = max(p1.z, Real(0.0));
+  edge.p0.z = max(edge.p0.z, Real(0.0));
+  edge.p1.z = max(edge.p1.z, Real(0.0));
+  return edge;
+}
+
+/// One edge of the outline, clipped to the wedge and closed towards the apex where it was cut.
+FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
+  Vec3 d = b_o - a_o;
+  Mask a_inside = a_z >= Real(0.0) && a_o.z >= Real(0.0);
+  Mask b_inside = b_z >= Real(0.0) && b_o.z >= Real(0.0);
+  // Uniform shortcut: no lane needs to clip.
+  if (all_lanes(a_inside && b_inside)) {
+    return edge_term(a_o, b_o, d);
+  }
+  ClippedEdge edge = clip_edge(a_o, b_o, a_z, b_z);
   Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  Vec3 sum = edge_term(p0, p1, d * (t1 - t0));
-  sum = sum - select(a_inside, none, apex_term(p0, s));
-  sum = sum + select(b_inside, none, apex_term(p1, s));
-  return select(outside, none, sum);
+  Vec3 sum = edge_term(edge.p0, edge.p1, d * edge.extent);
+  sum = sum - select(a_inside, none, apex_term(edge.p0, s));
+  sum = sum + select(b_inside, none, apex_term(edge.p1, s));
+  return select(edge.outside, none, sum);
+}
+
+/// The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own
+/// closing cancels it. Whether the common point is inside, both find by themselves, and rounding
+/// may make them disagree; this way that does not matter.
+FN Vec3 closed_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
+  ClippedEdge edge = clip_edge(a_o, b_o, a_z, b_z);
+  Vec3 sum = edge_term(edge.p0, edge.p1, (b_o - a_o) * edge.extent) + apex_term(edge.p1, s) -
+             apex_term(edge.p0, s);
+  return select(edge.outside, Vec3(Real(0.0), Real(0.0), Real(0.0)), sum);
 }
 
 /// Whether a point lies in a light's plane as far as single precision can tell: h, its distance,

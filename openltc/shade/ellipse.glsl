@@ -27,6 +27,9 @@ FN LightIntegral integrate_ellipse(Ellipse ellipse, Vec3 position, Frame frame, 
   Real h = dot(center, normal) * inversesqrt(max(dot(normal, normal), Real(k_tiny)));
   Real side = select(h < Real(0.0), Real(1.0), ellipse.two_sided);
   side = select(lies_in_plane(h, position, ellipse.center), Real(0.0), side);
+  // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
+  Real reach = sqrt(u.z * u.z + v.z * v.z);
+  side = select(center.z + reach > Real(0.0), side, Real(0.0));
   return light_integral(diffuse * side, specular * side, lobe);
 }
 

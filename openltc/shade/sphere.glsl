@@ -33,7 +33,9 @@ FN LightIntegral integrate_sphere(Sphere sphere, Vec3 position, Frame frame, Lob
   Vec3 specular =
       clipped_cone(make_cone(to_cosine(lobe, center), to_cosine(lobe, u), to_cosine(lobe, v)),
                    horizon_normal_cosine(lobe));
-  Real outside = select(distance2 > sphere.radius * sphere.radius, Real(1.0), Real(0.0));
+  // Below the horizon it gives nothing, rounding or not.
+  Mask seen = distance2 > sphere.radius * sphere.radius && center.z + sphere.radius > Real(0.0);
+  Real outside = select(seen, Real(1.0), Real(0.0));
   return light_integral(diffuse * outside, specular * outside, lobe);
 }
 

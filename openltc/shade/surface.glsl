@@ -77,7 +77,17 @@ FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
   return shaded;
 }
 
-/// The same of a polygon, both parts together.
+/// The same of a light of no width, whose integral is per metre of it and has no upper bound.
+FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
+  Vec3 fresnel =
+      s.f0 + (s.f90 - s.f0) * schlick_weight_between(s.wo, integral.specular_direction);
+  ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = fresnel * (s.fitted.n1 * s.inv_share * integral.specular);
+  return shaded;
+}
+
+/// Light of a polygon of radiance 1, both parts together.
 FN Vec3 shade_polygon(Surface s, Polygon polygon) {
   ShadedLight shaded =
       shade_integral(s, integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe));

@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// What the dialect's resource handles, LobeTable, LobePolynomial and Polygon, are in C++: views of
-// plain arrays, the same for every number type. The owner of the arrays outlives the views.
+// What the dialect's resource handles, LobeTable, LobePolynomial, Polygon, Profile and
+// EmissionTexture, are in C++: views of plain arrays, the same for every number type. The owner of the
+// arrays outlives the views.
 
 #pragma once
+
+#include <cstdint>
 
 namespace openltc {
 
@@ -36,6 +39,41 @@ struct PolygonView {
   float axis_u[3] = {1, 0, 0}; ///< orthonormal with axis_v and normal
   float axis_v[3] = {0, 1, 0};
   float normal[3] = {0, 0, 1}; ///< towards the emitting side
+};
+
+/// View of a luminous intensity by direction; see shade/profile.glsl.
+struct ProfileView {
+  /// columns * rows values from 0 to 1, shares of the maximum. Rows are slow: row j of n stands for
+  /// the angle pi j/(n - 1) from the light's axis. Columns are fast: column i of m stands for the
+  /// azimuth 2 pi i/(m - 1), the last being the first again; one column is the same all around.
+  const float* values = nullptr;
+  int columns = 0;
+  int rows = 0;
+};
+
+/// View of a light's emission picture: prefiltered, as light/emission_stack.h makes it, and as it
+/// is. The stack covers the light's bounding rectangle in its plane.
+struct EmissionTextureView {
+  /// All levels one after the other, rows from v = 0, 4 floats a texel: r g b times the share of
+  /// the light in the texel's neighbourhood, and that share.
+  const float* texels = nullptr;
+  /// 4 numbers a level: first texel, columns, rows, 0. Columns and rows are powers of two and half
+  /// those of the level before, but at least 1; the last level is one texel, the light's mean.
+  const std::int32_t* levels = nullptr;
+  int level_count = 0;
+  float corner[3] = {0, 0, 0}; ///< of the rectangle, world space
+  float axis_u[3] = {1, 0, 0}; ///< unit, orthogonal: its sides
+  float axis_v[3] = {0, 1, 0};
+  float extent[2] = {1, 1}; ///< their lengths, metres
+
+  /// The picture itself: picture_columns * picture_rows texels of picture_channels floats (3 or
+  /// more: r g b ...), linear, clamped; what is negative or not a number counts as 0.
+  const float* picture = nullptr;
+  int picture_columns = 0, picture_rows = 0, picture_channels = 3;
+  /// Its coordinates at a point p of the light: u = (p - picture_origin) . picture_u, v alike.
+  float picture_origin[3] = {0, 0, 0};
+  float picture_u[3] = {1, 0, 0};
+  float picture_v[3] = {0, 1, 0};
 };
 
 } // namespace openltc

@@ -9,6 +9,8 @@
 #include "openltc/target/vec.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace openltc::f64 {
 
@@ -16,6 +18,7 @@ using Scalar = double;
 #include "openltc/target/scalar.inc"
 #include "openltc/target/shade_all.inc"
 #undef FN
+#undef FN_CALL
 #undef CONSTANT
 
 } // namespace openltc::f64

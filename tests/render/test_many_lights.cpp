@@ -191,7 +191,7 @@ TEST_CASE(
       tree_lights.push_back(render::tree_light(light));
     }
     const render::TreeLight group = render::united(tree_lights);
-    const render::LightBound bound = render::bound_light(bounds, group);
+    const render::LightBound bound = render::bound_light(render::PreparedBatch(bounds), group);
     if (bound.all < 0.1f) ++informative;
     if (bound.far_error < bound.all) ++far_forms;
     for (std::size_t p = 0; p < points.size(); p += 4) {
@@ -219,9 +219,10 @@ TEST_CASE("a light behind all points, or facing away from them, adds nothing for
     points[i].f0 = Vec3f(0.04f);
   }
   const auto bound_of = [&](Vec3f center, Vec3f right, Vec3f up) {
-    return render::bound_light(measured(points),
-                               render::tree_light(light::rectangle(center, right, up, Vec3f(100))))
-        .all;
+    const render::TreeLight light =
+        render::tree_light(light::rectangle(center, right, up, Vec3f(100)));
+    const render::BatchBounds bounds = measured(points);
+    return render::bound_light(render::PreparedBatch(bounds), light).all;
   };
   CHECK(bound_of({0, 3, 0}, {1, 0, 0}, {0, 0, 1}) > 0);  // shines down
   CHECK(bound_of({0, 3, 0}, {0, 0, 1}, {1, 0, 0}) == 0); // shines up

@@ -156,15 +156,17 @@ TEST_CASE("dark_and_unlit_materials_are_no_lights") {
   CHECK(scene::emissive_lights(mesh, unlit, {}).lights.empty());
 }
 
-TEST_CASE("textured_emission_is_averaged_over_the_surface") {
+TEST_CASE("textured_emission_that_is_no_picture_is_averaged_over_the_surface") {
   scene::Texture texture;
-  texture.image = image::Image(4, 1, 4);
-  for (int x = 0; x < 4; ++x)
-    for (int c = 0; c < 3; ++c)
-      texture.image.pixel(x, 0)[c] = x == 0 ? 1.0f : 0.0f;
+  texture.image = image::Image(64, 16, 4);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 3; ++c)
+        texture.image.pixel(x, y)[c] = 1.0f;
   scene::Mesh mesh;
   mesh.positions = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)};
-  mesh.tex_coord_0 = {Vec2f(0, 1), Vec2f(1, 1), Vec2f(1, 0), Vec2f(0, 0)};
+  // Four times beside itself: one picture does not cover the light.
+  mesh.tex_coord_0 = {Vec2f(0, 1), Vec2f(4, 1), Vec2f(4, 0), Vec2f(0, 0)};
   mesh.normals.assign(4, Vec3f(0, 0, 1));
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   scene::Material material = glowing(100);
@@ -172,10 +174,11 @@ TEST_CASE("textured_emission_is_averaged_over_the_surface") {
   auto found = scene::emissive_lights(mesh, material, {texture});
   REQUIRE(found.lights.size() == 1);
   CHECK(found.is_texture_averaged);
+  CHECK(found.lights[0].texture == -1);
   CHECK(found.lights[0].radiance.x == doctest::Approx(25.0f).epsilon(0.15));
   // the right half of the picture is dark: no light at all
   for (Vec2f& uv : mesh.tex_coord_0)
-    uv.x = 0.5f + 0.4f * uv.x;
+    uv.x = 0.5f + 0.1f * uv.x;
   found = scene::emissive_lights(mesh, material, {texture});
   CHECK(found.lights.empty());
 }

@@ -13,20 +13,23 @@ namespace openltc::testing {
 constexpr int k_parity_inputs = 30;
 constexpr int k_parity_max_outputs = 256;
 
+/// What the dialect looks up.
+struct ParityResources {
+  LobeTableView table;
+  LobePolynomialView polynomial;
+  PolygonView polygon;
+  ProfileView profile;
+  EmissionTextureView emission;
+};
+
 /// Evaluates `count` inputs, a multiple of 16: in[k * count + i] is input k of element i, out
 /// likewise. Returns the number of outputs.
-using ParityRun = int (*)(const float* in, int count, const LobeTableView* table,
-                          const LobePolynomialView* polynomial, const PolygonView* polygon,
-                          float* out);
+using ParityRun = int (*)(const float* in, int count, const ParityResources& resources, float* out);
 
-int parity_run_baseline(const float*, int, const LobeTableView*, const LobePolynomialView*,
-                        const PolygonView*, float*);
-int parity_run_sse4(const float*, int, const LobeTableView*, const LobePolynomialView*,
-                    const PolygonView*, float*);
-int parity_run_avx2(const float*, int, const LobeTableView*, const LobePolynomialView*,
-                    const PolygonView*, float*);
-int parity_run_avx512(const float*, int, const LobeTableView*, const LobePolynomialView*,
-                      const PolygonView*, float*);
+int parity_run_baseline(const float*, int, const ParityResources&, float*);
+int parity_run_sse4(const float*, int, const ParityResources&, float*);
+int parity_run_avx2(const float*, int, const ParityResources&, float*);
+int parity_run_avx512(const float*, int, const ParityResources&, float*);
 int parity_lanes_baseline();
 int parity_lanes_sse4();
 int parity_lanes_avx2();

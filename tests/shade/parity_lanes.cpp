@@ -28,15 +28,14 @@ namespace testing {
 
 namespace lanes = OPENLTC_LANES_NAMESPACE;
 
-int OPENLTC_PASTE(parity_run_, OPENLTC_ISA)(const float* in, int count, const LobeTableView* table,
-                                            const LobePolynomialView* polynomial,
-                                            const PolygonView* polygon, float* out) {
+int OPENLTC_PASTE(parity_run_, OPENLTC_ISA)(const float* in, int count,
+                                            const ParityResources& resources, float* out) {
   int outputs = 0;
   for (int i = 0; i < count; i += lanes::k_lanes) {
     lanes::Real inputs[k_parity_inputs], results[k_parity_max_outputs];
     for (int k = 0; k < k_parity_inputs; ++k)
       inputs[k] = lanes::load(in + k * count + i);
-    outputs = lanes::parity_evaluate(inputs, *table, *polynomial, *polygon, results, nullptr);
+    outputs = lanes::parity_evaluate(inputs, resources, results, nullptr);
     for (int k = 0; k < outputs; ++k)
       lanes::store(results[k], out + k * count + i);
   }

@@ -7,10 +7,14 @@
 precision highp float;
 precision highp int;
 precision highp sampler2D;
+precision highp sampler2DArray;
 
 uniform sampler2D openltc_table_coefficients;
 uniform sampler2D openltc_table_amplitudes;
+uniform sampler2DArray openltc_profiles;
 layout(std140) uniform Polygons { vec4 openltc_polygons[256]; };
+uniform sampler2DArray openltc_emission_stacks;
+uniform vec4 openltc_emissions[12];
 uniform int openltc_polynomial_degree;
 uniform vec4 openltc_polynomial[56];
 

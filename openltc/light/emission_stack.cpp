@@ -1,0 +1,427 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Sources:
+//   Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed
+//     Cosines", section 5.2 (textured lights: prefilter the picture and what is around it);
+//   Burt, Adelson 1983, "The Laplacian Pyramid as a Compact Image Code" (a Gaussian by repeated
+//     small filters);
+//   Knutsson, Westin 1993, "Normalized and Differential Convolution" (image times mask over mask).
+//
+// One level becomes the next by the filter [1 3 3 1] / 8 along rows, then columns, at every second
+// place. Its variance is 3/4 of a fine texel squared; repeated, v' = (v + 3/4) / 4 tends to v =
+// 1/4: a standard deviation of half a texel of whichever level. The light is surrounded by nothing:
+// both the picture times the outline and the outline itself are zero there.
+
+#include "openltc/light/emission_stack.h"
+
+#include "openltc/image/file.h"
+#include "openltc/light/curved.h"
+#include "openltc/light/emitter.h"
+#include "openltc/light/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace openltc::light {
+
+namespace {
+
+// Small enough a grid to be cheap, fine enough that a disk's rim shows.
+constexpr int k_min_side = 32;
+// Lines along which a texel's cover is measured.
+constexpr int k_lines_per_row = 4;
+
+Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
+void copy3(float* out, Vec3d v) {
+  out[0] = float(v.x);
+  out[1] = float(v.y);
+  out[2] = float(v.z);
+}
+float sane(float x) { return x > 0 ? std::min(x, std::numeric_limits<float>::max()) : 0.0f; }
+
+// A plane with a frame: the picture's u axis and what is across it.
+struct PlaneFrame {
+  Vec3d origin, u, v;
+  Vec2d in_plane(Vec3d p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
+};
+
+struct Edge {
+  Vec2d a, b;
+};
+
+// What is inside along a line of constant y: pairs of x, ascending.
+using Spans = std::vector<double>;
+
+struct PolygonOutline {
+  std::vector<Edge> edges;
+  void spans_at(double y, Spans& spans) const {
+    spans.clear();
+    for (const Edge& e : edges)
+      if ((e.a.y > y) != (e.b.y > y))
+        spans.push_back(e.a.x + (y - e.a.y) * (e.b.x - e.a.x) / (e.b.y - e.a.y));
+    std::sort(spans.begin(), spans.end());
+  }
+};
+
+// Points (x, y) = s axis_0 + t axis_1 with s^2 + t^2 <= 1 about a centre.
+struct EllipseOutline {
+  Vec2d center, axis_0, axis_1;
+  void spans_at(double y, Spans& spans) const {
+    spans.clear();
+    // With h = sqrt(axis_0.y^2 + axis_1.y^2), heights reach h; the chord's middle and half length
+    // follow from the unit circle turned so that its y axis is (axis_0.y, axis_1.y) / h.
+    const double h2 = axis_0.y * axis_0.y + axis_1.y * axis_1.y;
+    const double sine = (y - center.y) / std::sqrt(h2);
+    if (!(std::abs(sine) < 1)) return;
+    const double determinant = std::abs(axis_0.x * axis_1.y - axis_0.y * axis_1.x);
+    const double middle =
+        center.x + sine * (axis_0.x * axis_0.y + axis_1.x * axis_1.y) / std::sqrt(h2);
+    const double half = std::sqrt(1 - sine * sine) * determinant / std::sqrt(h2);
+    spans.push_back(middle - half);
+    spans.push_back(middle + half);
+  }
+};
+
+struct Box {
+  Vec2d lower{1e300, 1e300}, upper{-1e300, -1e300};
+  void add(Vec2d p) {
+    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
+    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
+  }
+};
+
+// The plane's frame: origin anywhere in it. No value when the picture has no direction in it.
+bool make_frame(const Emitter& light, Vec3d origin, Vec3d normal, PlaneFrame& frame) {
+  const Vec3d along = to_double(light.texture_u);
+  const Vec3d in_plane = along - normal * dot(along, normal);
+  const double size = length(in_plane);
+  if (!(size > 1e-6 * length(along)) || !std::isfinite(size)) return false;
+  frame.origin = origin;
+  frame.u = in_plane / size;
+  // v grows downwards in a picture that is upright: on the side that its own v axis points to.
+  const Vec3d across = cross(normal, frame.u);
+  frame.v = dot(across, to_double(light.texture_v)) < 0 ? -across : across;
+  return true;
+}
+
+// Mean of the pixels that fall into each of columns x rows equal parts, along one axis at a time.
+image::Image reduced(const image::Image& from, int columns, int rows) {
+  image::Image wide(columns, from.height, 3), result(columns, rows, 3);
+  const auto gather = [](int from_size, int to_size, auto&& add) {
+    const double scale = double(from_size) / to_size;
+    for (int i = 0; i < to_size; ++i) {
+      const double lower = i * scale, upper = (i + 1) * scale;
+      const int last = std::min(int(std::ceil(upper)), from_size);
+      for (int k = int(lower); k < last; ++k)
+        add(i, k, float((std::min(upper, k + 1.0) - std::max(lower, double(k))) / scale));
+    }
+  };
+  gather(from.width, columns, [&](int i, int k, float weight) {
+    for (int y = 0; y < from.height; ++y)
+      for (int c = 0; c < 3; ++c)
+        wide.pixel(i, y)[c] += weight * from.pixel(k, y)[c];
+  });
+  gather(from.height, rows, [&](int i, int k, float weight) {
+    for (int x = 0; x < columns; ++x)
+      for (int c = 0; c < 3; ++c)
+        result.pixel(x, i)[c] += weight * wide.pixel(x, k)[c];
+  });
+  return result;
+}
+
+image::Image sane_rgb(const image::Image& from) {
+  image::Image result(from.width, from.height, 3);
+  for (int y = 0; y < from.height; ++y)
+    for (int x = 0; x < from.width; ++x) {
+      const Vec3f value = from.rgb(x, y);
+      float* to = result.pixel(x, y);
+      to[0] = sane(value.x);
+      to[1] = sane(value.y);
+      to[2] = sane(value.z);
+    }
+  return result;
+}
+
+Vec3f bilinear(const image::Image& image, double u, double v) {
+  const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0);
+  const double y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
+  const int x0 = int(x), y0 = int(y);
+  const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
+  const float fx = float(x - x0), fy = float(y - y0);
+  const Vec3f a = image.rgb(x0, y0) * (1 - fx) + image.rgb(x1, y0) * fx;
+  const Vec3f b = image.rgb(x0, y1) * (1 - fx) + image.rgb(x1, y1) * fx;
+  return a * (1 - fy) + b * fy;
+}
+
+int power_of_two_at_least(double x) {
+  int n = 1;
+  while (n < x && n < (1 << 20))
+    n *= 2;
+  return n;
+}
+
+struct Level {
+  int columns, rows;
+  std::vector<float> texels; // 4 floats each
+};
+
+// The light's share of each texel, 0 to 1: exact along lines, k_lines_per_row of them a row.
+template <class Outline>
+std::vector<float> coverage(const Outline& outline, const Box& box, int columns, int rows) {
+  std::vector<float> cover(std::size_t(columns) * std::size_t(rows), 0.0f);
+  const double width = box.upper.x - box.lower.x, height = box.upper.y - box.lower.y;
+  Spans spans;
+  for (int y = 0; y < rows; ++y) {
+    float* row = cover.data() + std::size_t(y) * std::size_t(columns);
+    for (int line = 0; line < k_lines_per_row; ++line) {
+      const double at = (y + (line + 0.5) / k_lines_per_row) / rows;
+      outline.spans_at(box.lower.y + at * height, spans);
+      for (std::size_t i = 0; i + 1 < spans.size(); i += 2) {
+        const double from = std::clamp((spans[i] - box.lower.x) / width, 0.0, 1.0) * columns;
+        const double to = std::clamp((spans[i + 1] - box.lower.x) / width, 0.0, 1.0) * columns;
+        for (int x = int(from); x < std::min(int(std::ceil(to)), columns); ++x)
+          row[x] += float(std::min(to, x + 1.0) - std::max(from, double(x))) / k_lines_per_row;
+      }
+    }
+  }
+  return cover;
+}
+
+// Texels 2i - 1 .. 2i + 2 by 1 3 3 1, those that there are. `stride` floats from one to the next.
+void decimate(const float* from, int count, std::size_t stride, float* to, std::size_t to_stride) {
+  constexpr float weights[4] = {1, 3, 3, 1};
+  for (int i = 0; i < count / 2; ++i) {
+    const int first = std::max(2 * i - 1, 0), last = std::min(2 * i + 2, count - 1);
+    float total = 0;
+    for (int at = first; at <= last; ++at)
+      total += weights[at - 2 * i + 1];
+    for (std::size_t c = 0; c < 4; ++c) {
+      float sum = 0;
+      for (int at = first; at <= last; ++at)
+        sum += weights[at - 2 * i + 1] * from[std::size_t(at) * stride + c];
+      to[std::size_t(i) * to_stride + c] = sum / total;
+    }
+  }
+}
+
+Level next_level(const Level& fine) {
+  Level half{std::max(fine.columns / 2, 1), fine.rows, {}};
+  half.texels.resize(std::size_t(half.columns) * std::size_t(half.rows) * 4);
+  if (fine.columns == 1)
+    half.texels = fine.texels;
+  else
+    for (int y = 0; y < fine.rows; ++y)
+      decimate(fine.texels.data() + std::size_t(y * fine.columns) * 4, fine.columns, 4,
+               half.texels.data() + std::size_t(y * half.columns) * 4, 4);
+  if (fine.rows == 1) return half;
+  Level next{half.columns, half.rows / 2, {}};
+  const std::size_t stride = std::size_t(half.columns) * 4;
+  next.texels.resize(stride * std::size_t(next.rows));
+  for (std::size_t x = 0; x < std::size_t(half.columns); ++x)
+    decimate(half.texels.data() + 4 * x, half.rows, stride, next.texels.data() + 4 * x, stride);
+  return next;
+}
+
+// The finest level's mean: the light's, with its share of the rectangle.
+std::vector<float> mean_of(const Level& level) {
+  double sum[4] = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < level.texels.size(); ++i)
+    sum[i % 4] += double(level.texels[i]);
+  const double count = double(level.columns) * level.rows;
+  std::vector<float> mean;
+  for (const double s : sum)
+    mean.push_back(float(s / count));
+  return mean;
+}
+
+template <class Outline>
+Result<EmissionStack> build(const image::Image& source, const Emitter& light,
+                            const PlaneFrame& frame, const Outline& outline, const Box& box,
+                            const EmissionStackOptions& options) {
+  const Vec2d size = box.upper - box.lower;
+  if (!(size.x > 0) || !(size.y > 0)) return wrong_light(light.name, "its outline has no extent");
+  image::Image picture = sane_rgb(source);
+  EmissionStack stack;
+  EmissionTextureView& view = stack.view;
+  const Vec3d texture_u = to_double(light.texture_u), texture_v = to_double(light.texture_v);
+  const Vec3d u_gradient = texture_u / dot(texture_u, texture_u);
+  const Vec3d v_gradient = texture_v / dot(texture_v, texture_v);
+  const Vec3d box_corner = frame.origin + frame.u * box.lower.x + frame.v * box.lower.y;
+  copy3(view.corner, box_corner);
+  copy3(view.axis_u, frame.u);
+  copy3(view.axis_v, frame.v);
+  copy3(view.picture_origin, to_double(light.texture_corner));
+  copy3(view.picture_u, u_gradient);
+  copy3(view.picture_v, v_gradient);
+  view.extent[0] = float(size.x);
+  view.extent[1] = float(size.y);
+  view.picture = source.data.data();
+  view.picture_columns = source.width;
+  view.picture_rows = source.height;
+  view.picture_channels = source.channels;
+
+  // As many texels as the picture has pixels across the light, but no more than allowed.
+  const auto pixels_along = [&](Vec3d axis, double extent) {
+    return extent * std::max(std::abs(dot(axis, u_gradient)) * picture.width,
+                             std::abs(dot(axis, v_gradient)) * picture.height);
+  };
+  const double wanted_columns = pixels_along(frame.u, size.x);
+  const double wanted_rows = pixels_along(frame.v, size.y);
+  const int max_side = std::max(power_of_two_at_least(options.max_side), 1);
+  const int min_side = std::min(k_min_side, max_side);
+  Level level{std::clamp(power_of_two_at_least(wanted_columns), min_side, max_side),
+              std::clamp(power_of_two_at_least(wanted_rows), min_side, max_side),
+              {}};
+  // A picture too fine for that is reduced by the same factor first.
+  const double excess_u = wanted_columns / level.columns, excess_v = wanted_rows / level.rows;
+  if (excess_u > 1 || excess_v > 1) {
+    const auto fewer = [](int pixels, double excess) {
+      return std::clamp(int(std::ceil(pixels / std::max(excess, 1.0))), 1, pixels);
+    };
+    picture = reduced(picture, fewer(picture.width, excess_u), fewer(picture.height, excess_v));
+  }
+
+  const std::vector<float> cover = coverage(outline, box, level.columns, level.rows);
+  level.texels.resize(cover.size() * 4);
+  for (int y = 0; y < level.rows; ++y)
+    for (int x = 0; x < level.columns; ++x) {
+      const Vec3d p = box_corner + frame.u * ((x + 0.5) / level.columns * size.x) +
+                      frame.v * ((y + 0.5) / level.rows * size.y) - to_double(light.texture_corner);
+      const Vec3f value = bilinear(picture, dot(p, u_gradient), dot(p, v_gradient));
+      const std::size_t i = std::size_t(y) * std::size_t(level.columns) + std::size_t(x);
+      float* texel = level.texels.data() + 4 * i;
+      texel[0] = value.x * cover[i];
+      texel[1] = value.y * cover[i];
+      texel[2] = value.z * cover[i];
+      texel[3] = cover[i];
+    }
+  const std::vector<float> mean = mean_of(level);
+  if (!(mean[3] > 0)) return wrong_light(light.name, "its outline encloses nothing");
+  stack.mean = Vec3f(mean[0], mean[1], mean[2]) / mean[3];
+
+  for (;;) {
+    const bool is_last = level.columns == 1 && level.rows == 1;
+    if (is_last) level.texels = mean;
+    stack.levels.insert(stack.levels.end(),
+                        {std::int32_t(stack.texels.size() / 4), std::int32_t(level.columns),
+                         std::int32_t(level.rows), 0});
+    stack.texels.insert(stack.texels.end(), level.texels.begin(), level.texels.end());
+    if (is_last) break;
+    level = next_level(level);
+  }
+  view.texels = stack.texels.data();
+  view.levels = stack.levels.data();
+  view.level_count = int(stack.levels.size() / 4);
+  return stack;
+}
+
+Status check_picture(const image::Image& picture, const Emitter& light) {
+  if (picture.empty() || picture.channels < 3)
+    return wrong_light(light.name, "its emission picture is empty or has no colours");
+  const float v2 = dot(light.texture_v, light.texture_v);
+  const float u2 = dot(light.texture_u, light.texture_u);
+  if (!(u2 > 0) || !(v2 > 0) || !std::isfinite(u2) || !std::isfinite(v2) ||
+      !is_finite(light.texture_corner))
+    return wrong_light(light.name, "the axes of its emission picture have no length");
+  return Success{};
+}
+
+constexpr const char* k_no_direction = "the picture's u axis runs along the light's normal";
+
+Vec3d normal_of(const EllipseLight& light) {
+  return normalize(cross(to_double(light.half_u), to_double(light.half_v)));
+}
+
+EllipseOutline outline_of(const EllipseLight& light, const PlaneFrame& frame, Box& box) {
+  const auto direction = [&](Vec3f v) {
+    return Vec2d(dot(to_double(v), frame.u), dot(to_double(v), frame.v));
+  };
+  const EllipseOutline outline{frame.in_plane(to_double(light.center)), direction(light.half_u),
+                               direction(light.half_v)};
+  const Vec2d reach(std::hypot(outline.axis_0.x, outline.axis_1.x),
+                    std::hypot(outline.axis_0.y, outline.axis_1.y));
+  box.add(outline.center - reach);
+  box.add(outline.center + reach);
+  return outline;
+}
+
+PolygonOutline outline_of(const PolygonLight& light, const PlaneFrame& frame, Box& box) {
+  PolygonOutline outline;
+  for (std::size_t ring = 0; ring < light.ring_end.size(); ++ring) {
+    const std::span<const Vec3f> points = ring_vertices(light, ring);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2d a = frame.in_plane(to_double(points[i]));
+      box.add(a);
+      outline.edges.push_back({a, frame.in_plane(to_double(points[(i + 1) % points.size()]))});
+    }
+  }
+  return outline;
+}
+
+// The picture's corners from the box of the outline in a frame whose v is downwards.
+template <class Light>
+void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) {
+  light.texture = texture;
+  light.texture_u = u_axis;
+  // Facing the light, with u to the right, up is u x (the light's normal, towards the viewer)
+  // reversed: right x up = towards the viewer, so up = normal x right and down its negative.
+  const Vec3d down = -cross(normal, to_double(u_axis));
+  light.texture_v = Vec3f(float(down.x), float(down.y), float(down.z));
+  PlaneFrame frame;
+  if (!make_frame(light, origin, normal, frame)) return;
+  Box box;
+  outline_of(light, frame, box);
+  float values[3];
+  copy3(values, frame.origin + frame.u * box.lower.x + frame.v * box.lower.y);
+  light.texture_corner = Vec3f(values[0], values[1], values[2]);
+  copy3(values, frame.u * (box.upper.x - box.lower.x));
+  light.texture_u = Vec3f(values[0], values[1], values[2]);
+  copy3(values, frame.v * (box.upper.y - box.lower.y));
+  light.texture_v = Vec3f(values[0], values[1], values[2]);
+}
+
+} // namespace
+
+Result<EmissionStack> build_emission_stack(const image::Image& picture, const PolygonLight& light,
+                                           const EmissionStackOptions& options) {
+  if (Status status = validate(light); !status.ok()) return status.error();
+  if (Status status = check_picture(picture, light); !status.ok()) return status.error();
+  PlaneFrame frame;
+  if (!make_frame(light, to_double(light.vertices[0]), to_double(light.normal), frame))
+    return wrong_light(light.name, k_no_direction);
+  Box box;
+  const PolygonOutline outline = outline_of(light, frame, box);
+  return build(picture, light, frame, outline, box, options);
+}
+
+Result<EmissionStack> build_emission_stack(const image::Image& picture, const EllipseLight& light,
+                                           const EmissionStackOptions& options) {
+  if (Status status = validate(light); !status.ok()) return status.error();
+  if (Status status = check_picture(picture, light); !status.ok()) return status.error();
+  PlaneFrame frame;
+  if (!make_frame(light, to_double(light.center), normal_of(light), frame))
+    return wrong_light(light.name, k_no_direction);
+  Box box;
+  const EllipseOutline outline = outline_of(light, frame, box);
+  return build(picture, light, frame, outline, box, options);
+}
+
+void place_picture(PolygonLight& light, int texture, Vec3f u_axis) {
+  place(light, texture, u_axis, to_double(light.vertices[0]), to_double(light.normal));
+}
+
+void place_picture(EllipseLight& light, int texture, Vec3f u_axis) {
+  place(light, texture, u_axis, to_double(light.center), normal_of(light));
+}
+
+Result<image::Image> read_emission_picture(const std::string& path) {
+  auto picture = image::read(path);
+  if (!picture.ok()) return picture.error();
+  if (picture->empty()) return Error{path + ": the picture is empty"};
+  return sane_rgb(*picture);
+}
+
+} // namespace openltc::light

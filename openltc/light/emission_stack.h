@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// A picture as a light's emission, filtered once so that shading needs few looks at it.
+//
+// The stack covers the light's bounding rectangle, its sides along and across the picture's u axis.
+// Each level holds what is left of the next finer one under a Gaussian of half a texel of its own,
+// so widths double while texels halve. What is filtered is the picture times the light's outline,
+// and the outline by itself; their quotient is the mean of the part of the light around a point,
+// also for a point beside it. The last level is the mean of the whole light.
+
+#pragma once
+
+#include "openltc/base/result.h"
+#include "openltc/image/image.h"
+#include "openltc/light/light.h"
+#include "openltc/target/resources.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace openltc::light {
+
+struct EmissionStackOptions {
+  /// Columns and rows of the finest level, at most; a larger picture is reduced first, by the mean
+  /// of what falls together. A power of two. 1024 makes 22 MB at most.
+  int max_side = 1024;
+};
+
+/// Owner of the arrays behind an EmissionTextureView.
+struct EmissionStack {
+  std::vector<float> texels;
+  std::vector<std::int32_t> levels;
+  EmissionTextureView view; ///< points into the vectors above and to the picture
+  Vec3f mean{0, 0, 0};      ///< of the picture over the light
+
+  EmissionStack() = default;
+  EmissionStack(EmissionStack&&) = default;
+  EmissionStack& operator=(EmissionStack&&) = default;
+};
+
+/// Filters `picture`, one of Lights::textures, for a light that has it as its emission; the light's
+/// radiance is not part of it. Values that are negative or not a number count as 0. The picture
+/// must outlive the view.
+/// The error names the light: an empty picture, texture axes of no length or along its normal, an
+/// outline of no extent.
+Result<EmissionStack> build_emission_stack(const image::Image& picture, const PolygonLight& light,
+                                           const EmissionStackOptions& options = {});
+Result<EmissionStack> build_emission_stack(const image::Image& picture, const EllipseLight& light,
+                                           const EmissionStackOptions& options = {});
+
+/// Gives a light a picture: its corners are those of the light's bounding rectangle, its u axis
+/// runs along `u_axis` (world space, made perpendicular to the normal), and it is upright for who
+/// faces the light. `texture` is an index into Lights::textures.
+void place_picture(PolygonLight& light, int texture, Vec3f u_axis);
+void place_picture(EllipseLight& light, int texture, Vec3f u_axis);
+
+/// Reads a picture to be an emission: .exr, .hdr, .png, .jpg as image::read does, 3 channels;
+/// negative values and those that are not a number become 0. The error names the file.
+Result<image::Image> read_emission_picture(const std::string& path);
+
+} // namespace openltc::light

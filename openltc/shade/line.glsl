@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The integral of a lobe over a straight line of vanishing width, exact, clipped to both horizons.
+//
+// Source: Heitz and Hill 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed
+// Cosines": the integral of the cosine along a line, and the width that M^-1 gives it. Clipped here
+// to the surface's horizon too, and kept as a vector for the mean direction.
+//
+// With f the foot of the perpendicular from the point to the line, at distance d, t the line's
+// direction and b the angle from f, a strip of width w around the line has
+//   2 pi times its vector irradiance = (w/d) ( f/d [b + sin b cos b] + t [sin^2 b] ),
+// the brackets taken between its ends. M^-1 turns the width across the line of sight by
+// det |p x q| / |p_o x q_o| for any two points p, q of the line: areas of triangles with the origin
+// change by the cofactors of M^-1, volumes by its determinant.
+
+struct Line {
+  Vec3 from; // world space
+  Vec3 to;
+};
+
+/// 2 pi times the vector irradiance of the strip of width 1 around the segment from p to q, seen
+/// from the origin.
+FN Vec3 line_term(Vec3 p, Vec3 q) {
+  Vec3 axis = q - p;
+  Real length2 = max(dot(axis, axis), Real(k_tiny));
+  Vec3 t = axis * inversesqrt(length2);
+  Real from = dot(p, t);
+  Real to = dot(q, t);
+  Vec3 foot = p - t * from;
+  // The point on the line itself sees it end-on.
+  Real d2 = max(dot(foot, foot), Real(1.0e-12) * (dot(p, p) + dot(q, q)) + Real(k_tiny));
+  Real inv_d = inversesqrt(d2);
+  Real d = d2 * inv_d;
+  Real from_r2 = d2 + from * from;
+  Real to_r2 = d2 + to * to;
+  Real angle = angle_of(d2 + from * to, d * (to - from));
+  Real along = to * to / to_r2 - from * from / from_r2;
+  Real across = angle + to * d / to_r2 - from * d / from_r2;
+  return (foot * (inv_d * across) + t * along) * inv_d;
+}
+
+/// The same of a segment in cosine space, clipped to both horizons; see clip_edge.
+FN Vec3 clipped_line_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
+  ClippedEdge edge = clip_edge(a_o, b_o, a_z, b_z);
+  return select(edge.outside, Vec3(Real(0.0), Real(0.0), Real(0.0)),
+                line_term(edge.p0, edge.p1));
+}
+
+/// 2 pi times the vector irradiance of a strip of width 1 in shading space around the segment from a
+/// to b, also shading space, in the space that `lobe` leads to.
+FN_CALL Vec3 sum_line(Vec3 a, Vec3 b, Lobe lobe) {
+  Vec3 a_o = to_cosine(lobe, a);
+  Vec3 b_o = to_cosine(lobe, b);
+  Vec3 triangle = cross(a, b - a);
+  Vec3 triangle_o = cross(a_o, b_o - a_o);
+  Real ratio2 = dot(triangle, triangle) / max(dot(triangle_o, triangle_o), Real(k_tiny));
+  return clipped_line_term(a_o, b_o, a.z, b.z) * (lobe.det * sqrt(ratio2));
+}
+
+/// Integrals over a line seen from `position` (world space), per metre of its width: without an
+/// upper bound.
+FN LightIntegral integrate_line(Line line, Vec3 position, Frame frame, Lobe lobe) {
+  Vec3 a = to_shading(frame, line.from - position);
+  Vec3 b = to_shading(frame, line.to - position);
+  Vec3 diffuse = sum_line(a, b, cosine_lobe());
+  Vec3 specular = sum_line(a, b, lobe);
+  LightIntegral result;
+  result.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0e15));
+  result.specular = min(max(specular.z * k_half_inv_pi, Real(0.0)), Real(1.0e15));
+  result.diffuse_direction = safe_direction(diffuse);
+  result.specular_direction = safe_direction(from_cosine(lobe, safe_direction(specular)));
+  return result;
+}
+
+/// A point of the line, evenly distributed over the angle that it spans at `position`, from a number
+/// in [0, 1) (equi-angular sampling: Kulla and Fajardo 2012, "Importance Sampling Techniques for Path
+/// Tracing in Participating Media"). `solid_angle` is per metre of width, and no ray meets a line.
+FN LightPoint sample_line(Line line, Vec3 position, Real u) {
+  Vec3 p = line.from - position;
+  Vec3 axis = line.to - line.from;
+  Real length2 = max(dot(axis, axis), Real(k_tiny));
+  Vec3 t = axis * inversesqrt(length2);
+  Real from = dot(p, t);
+  Real to = from + length2 * inversesqrt(length2);
+  Vec3 foot = p - t * from;
+  Real d2 = max(dot(foot, foot), Real(1.0e-12) * (dot(p, p) + to * to) + Real(k_tiny));
+  Real d = sqrt(d2);
+  Real start = angle_of(d, from);
+  Real angle = angle_of(d2 + from * to, d * (to - from));
+  Real b = start + u * angle;
+  Real l = min(max(d * sin(b) / max(cos(b), Real(1.0e-7)), from), to);
+  Vec3 offset = foot + t * l;
+  Real distance2 = max(dot(offset, offset), Real(k_tiny));
+  Real inv_distance = inversesqrt(distance2);
+  LightPoint result;
+  result.hit = distance2 > Real(k_tiny);
+  result.direction = offset * inv_distance;
+  result.distance = distance2 * inv_distance;
+  result.cos_light = Real(1.0);
+  // w dl sin / r^2 with dl = r^2/d db and sin = d/r.
+  result.solid_angle = angle * inv_distance;
+  return result;
+}

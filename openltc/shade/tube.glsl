@@ -1,0 +1,306 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The integral of a lobe over a round tube: a cylinder, open or closed, or a capsule. Exact, clipped
+// to both horizons.
+//
+// From outside, a closed tube is convex, and its outline is made of two straight edges, where planes
+// through the point touch the whole length, and of an arc around each end: of the end's disk, or of
+// the sphere that rounds it off. Under M^-1 planes stay planes and cones stay elliptic cones
+// (cone.glsl), so the outline keeps its form, and the integral is the sum of two edges and two arcs.
+// An open tube shows its lateral surface alone: at an end whose disk one would look into, the near
+// half of the rim bounds it instead of the far one.
+//
+// In shading space, with u the axis, w the unit vector from the point to the axis' line at distance
+// h, and v = u x w, the touching planes have the normals g = -sin a w +- cos a v, sin a = radius / h,
+// and touch the ends at their centres + radius g, disks and spheres alike.
+
+struct Tube {
+  Vec3 from; // ends of the axis, world space
+  Vec3 to;
+  Real radius;
+  Real caps; // 0: none, the lateral surface alone; 1: flat; 2: round, a capsule
+};
+
+/// A tube around the origin of shading space.
+struct TubeView {
+  Vec3 from;
+  Vec3 to;
+  Vec3 axis;   // unit
+  Vec3 w;      // unit, from the origin to the axis' line
+  Vec3 v;      // axis x w
+  Real height; // distance to the axis' line
+  Vec3 left;   // radius times the normal of one touching plane
+  Vec3 right;  // and of the other
+  Mask beside; // outside of the infinite cylinder
+};
+
+FN TubeView tube_view(Tube tube, Vec3 position, Frame frame) {
+  TubeView view;
+  view.from = to_shading(frame, tube.from - position);
+  view.to = to_shading(frame, tube.to - position);
+  view.axis = safe_direction(view.to - view.from);
+  Vec3 foot = view.from - view.axis * dot(view.from, view.axis);
+  Real height2 = dot(foot, foot);
+  Mask on_axis = height2 <= Real(1.0e-12) * dot(view.from, view.from) + Real(k_tiny);
+  view.w = select(on_axis, any_perpendicular(view.axis),
+                  foot * inversesqrt(max(height2, Real(k_tiny))));
+  view.v = cross(view.axis, view.w);
+  view.height = sqrt(height2);
+  view.beside = view.height > tube.radius && !on_axis;
+  Real sine = min(tube.radius / max(view.height, Real(k_tiny)), Real(1.0));
+  Real cosine = sqrt(max((Real(1.0) - sine) * (Real(1.0) + sine), Real(0.0)));
+  view.left = (view.v * cosine - view.w * sine) * tube.radius;
+  view.right = (-(view.v * cosine) - view.w * sine) * tube.radius;
+  return view;
+}
+
+/// Which part of the outline of an end's cone bounds the tube.
+struct TubeEnd {
+  Cone cone;
+  Arc part;
+  Real sign; // -1: followed clockwise, 0: not at all
+  Vec3 left; // where it meets the edges, on the cone, unit, cosine space
+  Vec3 right;
+};
+
+/// One end. `center`, `away`: its centre and the unit direction out of it along the axis, shading
+/// space; `first`: whether it is the one at Tube.from, through which the outline runs from right to
+/// left; `whole`: whether this end is what points that are not beside the tube see.
+FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool first, Mask whole,
+                    Lobe lobe) {
+  Mask round = tube.caps > Real(1.5);
+  Real distance2 = dot(center, center);
+  Vec3 direction = center * inversesqrt(max(distance2, Real(k_tiny)));
+  Vec3 u = any_perpendicular(direction);
+  Real radius = select(round, tangent_disk_radius(distance2, tube.radius), tube.radius);
+  Vec3 a = select(round, u, view.w) * radius;
+  Vec3 b = select(round, cross(direction, u), view.v) * radius;
+  TubeEnd result;
+  result.cone = make_cone(to_cosine(lobe, center), to_cosine(lobe, a), to_cosine(lobe, b));
+  Real left = outline_parameter(result.cone, to_cosine(lobe, center + view.left));
+  Real right = outline_parameter(result.cone, to_cosine(lobe, center + view.right));
+  result.left = cone_direction(result.cone, left);
+  result.right = cone_direction(result.cone, right);
+  // An open end that one looks into: the other arc, backwards.
+  Mask into = tube.caps < Real(0.5) && dot(center, away) < Real(0.0);
+  Real forth = wrapped_turn(first ? left - right : right - left);
+  Real back = wrapped_turn(first ? right - left : left - right);
+  Real begin = first ? right : left;
+  Real end = first ? left : right;
+  result.part.start = select(into, end, begin);
+  result.part.extent = select(view.beside, select(into, back, forth), Real(2.0) * k_pi);
+  result.sign = select(view.beside, select(into, Real(-1.0), Real(1.0)),
+                       select(whole, Real(1.0), Real(0.0)));
+  return result;
+}
+
+/// 2 pi times the vector irradiance of half of an end of a thin tube: what bulges out beyond the
+/// strip around its axis, as a small light (density times solid angle, MATHS section 5).
+FN Vec3 thin_end_term(Tube tube, Vec3 center, Vec3 away, Lobe lobe) {
+  Real distance2 = max(dot(center, center), Real(k_tiny));
+  Real distance = sqrt(distance2);
+  Real facing = dot(center, away) / distance;
+  Mask into = tube.caps < Real(0.5) && facing < Real(0.0);
+  Real area = Real(0.5) * k_pi * tube.radius * tube.radius *
+              select(tube.caps > Real(1.5), Real(1.0), abs(facing)) *
+              select(into, Real(-1.0), Real(1.0));
+  // Solid angle area / r^2, in cosine space det / |M^-1 w|^3 times that, w = center / r.
+  Vec3 o = to_cosine(lobe, center);
+  Real inv_o = inversesqrt(max(dot(o, o), Real(k_tiny)));
+  Real solid_angle_o = area * lobe.det * (distance * inv_o) * (inv_o * inv_o);
+  Mask above = center.z > Real(0.0) && o.z > Real(0.0);
+  return select(above, o * (Real(2.0) * solid_angle_o * inv_o),
+                Vec3(Real(0.0), Real(0.0), Real(0.0)));
+}
+
+/// Angular radius of a tube in the space that `lobe` leads to, at most, where it is closest.
+FN Real tube_thickness(Tube tube, TubeView view, Lobe lobe) {
+  Vec3 a = to_cosine(lobe, view.from);
+  Vec3 d = to_cosine(lobe, view.to) - a;
+  Real t = min(max(-dot(a, d) / max(dot(d, d), Real(k_tiny)), Real(0.0)), Real(1.0));
+  Vec3 nearest = a + d * t;
+  return tube.radius * lobe_stretch(lobe) * inversesqrt(max(dot(nearest, nearest), Real(k_tiny)));
+}
+
+/// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline.
+FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe) {
+  Mask round = tube.caps > Real(1.5);
+  Mask closed = tube.caps > Real(0.5);
+  // Not beside the tube: in front of one of its ends.
+  Real from_along = dot(view.from, view.axis);
+  Real to_along = dot(view.to, view.axis);
+  Mask see_from = from_along > Real(0.0) && closed;
+  Mask see_to = to_along < Real(0.0) && closed;
+  Real radius2 = tube.radius * tube.radius;
+  see_from = see_from && (!round || dot(view.from, view.from) > radius2);
+  see_to = see_to && (!round || dot(view.to, view.to) > radius2);
+
+  TubeEnd first = tube_end(tube, view, view.from, -view.axis, true, see_from, lobe);
+  TubeEnd second = tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
+
+  Vec3 from_left_o = to_cosine(lobe, view.from + view.left);
+  Vec3 from_right_o = to_cosine(lobe, view.from + view.right);
+  Vec3 to_left_o = to_cosine(lobe, view.to + view.left);
+  Vec3 to_right_o = to_cosine(lobe, view.to + view.right);
+  Real edges = select(view.beside, Real(1.0), Real(0.0));
+  Vec3 up = horizon_normal_cosine(lobe);
+  Mask whole = cone_is_above(first.cone, up) && cone_is_above(second.cone, up);
+  Vec3 all = edge_term(from_left_o, to_left_o, to_left_o - from_left_o) * edges +
+             edge_term(to_right_o, from_right_o, from_right_o - to_right_o) * edges +
+             arc_term(first.cone, first.part) * first.sign +
+             arc_term(second.cone, second.part) * second.sign;
+  // Uniform shortcut: no lane needs to clip.
+  if (all_lanes(whole)) {
+    return all;
+  }
+  // The apex is on the side where the y axis comes closest to the tube's line: if it meets the tube,
+  // it does so around there. A point that is not beside the tube sees one end alone.
+  Real along = -(view.from.x * view.axis.x + view.from.z * view.axis.z) /
+               max(view.axis.x * view.axis.x + view.axis.z * view.axis.z, Real(1.0e-12));
+  Real y_end = select(see_from, first.cone.e3.y, second.cone.e3.y);
+  Real y = select(view.beside, view.from.y + view.axis.y * along, y_end);
+  Real s = select(y < Real(0.0), Real(-1.0), Real(1.0));
+  // Edges run between the very points where the arcs end, so that all is one closed outline.
+  Vec3 a = first.left;
+  Vec3 b = second.left;
+  Vec3 c = second.right;
+  Vec3 d = first.right;
+  Vec3 clipped = closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
+                 closed_edge_term(c, d, dot(up, c), dot(up, d), s) * edges +
+                 clipped_arc_term(first.cone, first.part, up, s) * first.sign +
+                 clipped_arc_term(second.cone, second.part, up, s) * second.sign;
+  return select(whole, all, clipped);
+}
+
+/// The same for tubes of any thickness.
+///
+/// The two edges of a thin tube nearly cancel, of which rounding makes 1e-7 over its angular radius.
+/// So from a hundredth downwards it is handed over, without a step, to the strip around its axis and
+/// the halves of its ends, which is wrong by the square of that radius.
+FN_CALL Vec3 sum_tube(Tube tube, TubeView view, Lobe lobe) {
+  Real thickness = tube_thickness(tube, view, lobe);
+  Real exact = min(max((thickness - Real(0.004)) * Real(250.0), Real(0.0)), Real(1.0));
+  Vec3 sum = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  // Uniform shortcuts: no lane has one form or the other.
+  if (any_lane(exact > Real(0.0))) {
+    sum = sum_tube_outline(tube, view, lobe) * exact;
+  }
+  if (any_lane(exact < Real(1.0))) {
+    Vec3 thin = sum_line(view.from, view.to, lobe) * (Real(2.0) * tube.radius) +
+                thin_end_term(tube, view.from, -view.axis, lobe) +
+                thin_end_term(tube, view.to, view.axis, lobe);
+    sum = sum + select(exact < Real(1.0), thin * (Real(1.0) - exact),
+                       Vec3(Real(0.0), Real(0.0), Real(0.0)));
+  }
+  return sum;
+}
+
+/// Integrals over a tube seen from `position` (world space), for Lambert and for `lobe`. Zero
+/// inside: it emits outwards.
+FN LightIntegral integrate_tube(Tube tube, Vec3 position, Frame frame, Lobe lobe) {
+  TubeView view = tube_view(tube, position, frame);
+  // Its highest point: a tube below the horizon gives nothing, rounding or not.
+  Real reach = tube.radius * select(tube.caps > Real(1.5), Real(1.0),
+                                    sqrt(max(Real(1.0) - view.axis.z * view.axis.z, Real(0.0))));
+  Real seen = select(max(view.from.z, view.to.z) + reach > Real(0.0), Real(1.0), Real(0.0));
+  return light_integral(sum_tube(tube, view, cosine_lobe()) * seen,
+                        sum_tube(tube, view, lobe) * seen, lobe);
+}
+
+/// Area of the emitting surface, square metres.
+FN Real tube_area(Tube tube) {
+  Vec3 axis = tube.to - tube.from;
+  Real side = Real(2.0) * k_pi * tube.radius * sqrt(dot(axis, axis));
+  // Two disks, or two hemispheres.
+  return side + Real(2.0) * k_pi * tube.radius * tube.radius * tube.caps;
+}
+
+FN Mask inside_tube(Tube tube, Vec3 position) {
+  Vec3 d = position - tube.from;
+  Vec3 axis = tube.to - tube.from;
+  Real length2 = max(dot(axis, axis), Real(k_tiny));
+  Real along = dot(d, axis) / length2;
+  Mask between = along >= Real(0.0) && along <= Real(1.0);
+  Mask round = tube.caps > Real(1.5);
+  Real nearest = min(max(along, Real(0.0)), Real(1.0));
+  Vec3 off = d - axis * select(round, nearest, along);
+  return dot(off, off) <= tube.radius * tube.radius && (round || between);
+}
+
+/// Where a ray from `position` along the unit `direction` meets the tube from outside. The density
+/// is that of sample_tube.
+FN_CALL LightPoint intersect_tube(Tube tube, Vec3 position, Vec3 direction) {
+  Vec3 from = tube.from - position;
+  Vec3 to = tube.to - position;
+  Vec3 axis = safe_direction(to - from);
+  Real slope = dot(direction, axis);
+  Real r2 = tube.radius * tube.radius;
+  Vec3 foot = from - axis * dot(from, axis);
+  Vec3 across = direction - axis * slope;
+  Real a = max(dot(across, across), Real(1.0e-12));
+  Vec3 c = cross(across, foot);
+  Real root2 = a * r2 - dot(c, c);
+  Real t_side = (dot(across, foot) - sqrt(max(root2, Real(0.0)))) / a;
+  Real along = dot(direction * t_side - from, axis);
+  Mask on_side = root2 > Real(0.0) && t_side > Real(0.0) && along >= Real(0.0) &&
+                 along <= dot(to - from, axis);
+  Vec3 side_normal = (direction * t_side - from - axis * along) / tube.radius;
+
+  // The end that the ray comes to: of a disk the one that faces it, of a ball the one beyond which it
+  // enters the infinite cylinder.
+  Mask round = tube.caps > Real(1.5);
+  Mask first = (round && along < Real(0.0)) || (!round && slope > Real(0.0));
+  Vec3 end = select(first, from, to);
+  Vec3 out_of_end = select(first, -axis, axis);
+  Real t_disk = dot(end, axis) / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
+  Vec3 off = direction * t_disk - end;
+  Mask on_disk = slope != Real(0.0) && dot(off, off) <= r2;
+  Real b = dot(direction, end);
+  Vec3 miss = end - direction * b;
+  Real chord2 = r2 - dot(miss, miss);
+  Real t_ball = b - sqrt(max(chord2, Real(0.0)));
+  Vec3 ball_normal = (direction * t_ball - end) / tube.radius;
+  Mask on_ball = chord2 > Real(0.0) && dot(ball_normal, out_of_end) >= Real(0.0);
+  Mask closed = tube.caps > Real(0.5);
+  Mask on_end = closed && ((round && on_ball) || (!round && on_disk));
+
+  Real t = select(on_side, t_side, select(round, t_ball, t_disk));
+  Vec3 normal = select(on_side, side_normal, select(round, ball_normal, out_of_end));
+  LightPoint result = area_light_point(direction * t, normal, tube_area(tube), Real(0.0),
+                                       inside_tube(tube, position));
+  result.hit = result.hit && t > Real(0.0) && (on_side || on_end);
+  result.direction = direction;
+  return result;
+}
+
+/// A point evenly distributed over the tube's surface, from two numbers in [0, 1). Half of them lie
+/// on the far side and do not count as hit.
+FN_CALL LightPoint sample_tube(Tube tube, Vec3 position, Vec2 u) {
+  Vec3 from = tube.from - position;
+  Vec3 span = tube.to - tube.from;
+  Real length2 = max(dot(span, span), Real(k_tiny));
+  Vec3 axis = span * inversesqrt(length2);
+  Vec3 e1 = any_perpendicular(axis);
+  Vec3 e2 = cross(axis, e1);
+  Real phi = Real(2.0) * k_pi * u.y;
+  Vec3 around = e1 * cos(phi) + e2 * sin(phi);
+  Real area = tube_area(tube);
+  Real side_share = Real(2.0) * k_pi * tube.radius * sqrt(length2) / max(area, Real(k_tiny));
+  Mask on_side = u.x < side_share;
+  // What is left of u.x: along the side, or -1..1 from one end to the other.
+  Real x = u.x / max(side_share, Real(1.0e-12));
+  Real y = min((u.x - side_share) / max(Real(1.0) - side_share, Real(1.0e-7)), Real(1.0));
+  y = Real(2.0) * max(y, Real(0.0)) - Real(1.0);
+  Mask round = tube.caps > Real(1.5);
+  // Of a sphere's surface the height is evenly distributed, of a disk's the square of the radius.
+  Real height = abs(y);
+  Real ring = sqrt(max(Real(1.0) - select(round, height * height, height), Real(0.0)));
+  Vec3 out_of_end = select(y < Real(0.0), -axis, axis);
+  Vec3 ball = around * ring + out_of_end * height;
+  Vec3 end = select(y < Real(0.0), from, from + span);
+  Vec3 offset = select(on_side, from + span * x + around * tube.radius,
+                       end + select(round, ball, around * ring) * tube.radius);
+  Vec3 normal = select(on_side, around, select(round, ball, out_of_end));
+  return area_light_point(offset, normal, area, Real(0.0), inside_tube(tube, position));
+}
