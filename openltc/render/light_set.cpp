@@ -4,8 +4,8 @@
 #include "openltc/render/light_set.h"
 
 #include "openltc/light/curved.h"
-#include "openltc/light/ies.h"
 #include "openltc/light/emitter.h"
+#include "openltc/light/ies.h"
 #include "openltc/light/polygon.h"
 
 #include <type_traits>

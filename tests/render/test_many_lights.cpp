@@ -6,10 +6,10 @@
 
 #include "openltc/light/packed_polygon.h"
 #include "openltc/light/shapes.h"
+#include "openltc/render/light_set.h"
 #include "openltc/render/light_tree.h"
 #include "openltc/render/point_buffer.h"
 #include "openltc/render/renderer.h"
-#include "openltc/table/lobe_polynomial.h"
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f64.h"
 #include "test_scenes.h"
@@ -207,6 +207,78 @@ TEST_CASE(
   // The bound must also say something.
   CHECK(informative > 300);
   CHECK(far_forms > 100);
+}
+
+TEST_CASE("no point reflects more of a light of any shape than its bound") {
+  Random random(2);
+  for (int round = 0; round < 1500; ++round) {
+    light::Lights lights;
+    const Vec3f at = random.direction() * std::exp(random(-1, 3));
+    const Vec3f n = random.direction();
+    const Vec3f t = normalize(cross(n, std::abs(n.y) < 0.9f ? Vec3f(0, 1, 0) : Vec3f(1, 0, 0)));
+    const float size = std::exp(random(-4, 1));
+    const Vec3f radiance(random(0, 1), 1, random(0, 5));
+    const float power = random(0, 1) < 0.5f ? 0 : random(0, 30);
+    if (round % 4 == 0) {
+      light::EllipseLight light;
+      light.center = at;
+      light.half_u = t * size;
+      light.half_v = cross(n, t) * (size * random(0.1f, 1));
+      light.two_sided = random(0, 1) < 0.3f;
+      lights.ellipses = {light};
+    } else if (round % 4 == 1) {
+      light::SphereLight light;
+      light.center = at;
+      light.radius = size;
+      lights.spheres = {light};
+    } else if (round % 4 == 2) {
+      light::TubeLight light;
+      light.from = at;
+      light.to = at + t * random(0.1f, 3);
+      light.radius = 0.3f * size;
+      light.caps = light::TubeCaps(round / 4 % 3);
+      lights.tubes = {light};
+    } else {
+      light::LineLight light;
+      light.from = at;
+      light.to = at + t * random(0.1f, 3);
+      light.intensity_per_metre = radiance;
+      lights.lines = {light};
+    }
+    const auto shine = [&](light::Emitter& light) {
+      light.radiance = radiance;
+      light.cosine_power = power;
+    };
+    for (auto& l : lights.ellipses)
+      shine(l);
+    for (auto& l : lights.spheres)
+      shine(l);
+    for (auto& l : lights.tubes)
+      shine(l);
+    const render::LightSet set = render::pack_lights(lights);
+    REQUIRE(set.area_lights.size() == 1);
+
+    const std::vector<render::SurfacePoint> points = random_points(random);
+    render::PointBuffer buffer(64);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      render::PointTarget target;
+      target.sample = std::uint32_t(i);
+      buffer.add(points[i], target);
+    }
+    render::KernelContext context;
+    context.table = table::builtin_ggx_table().view();
+    context.area_lights = set.area_lights.data();
+    context.area_light_count = 1;
+    std::vector<Vec3f> out(points.size(), Vec3f(0));
+    std::vector<float> no_ratio;
+    const render::BatchBounds bounds = measured(points);
+    buffer.shade(render::best_kernel(), context, out, no_ratio, 1);
+    const float bound =
+        render::bound_light(render::PreparedBatch(bounds), set.tree_lights.front()).all;
+    CAPTURE(round);
+    for (const Vec3f& v : out)
+      CHECK(std::max({v.x, v.y, v.z}) <= bound * 1.001f + 1e-6f);
+  }
 }
 
 TEST_CASE("a light behind all points, or facing away from them, adds nothing for certain") {
