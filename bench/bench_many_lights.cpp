@@ -101,7 +101,7 @@ void shadowed(const char* name, scene::Scene (*make)(int), const std::vector<int
 int main(int argc, char** argv) {
   std::vector<int> counts;
   for (int i = 1; i < argc; ++i)
-    counts.push_back(std::max(std::atoi(argv[i]), 1));
+    if (argv[i][0] != '-') counts.push_back(std::max(std::atoi(argv[i]), 1));
   if (counts.empty()) counts = {5, 50, 500, 5000};
   unshadowed("hall", bench::hall, counts);
   unshadowed("street", bench::street, counts);

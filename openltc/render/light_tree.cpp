@@ -21,8 +21,8 @@ namespace openltc::render {
 namespace {
 
 // How much a light's direction counts beside its place when lights are grouped: opposite normals
-// weigh as much as the size of the group.
-constexpr float k_direction_weight = 1.0f;
+// weigh four times the size of the group.
+constexpr float k_direction_weight = 4.0f;
 
 /// Place and direction of a light as six numbers.
 std::array<float, 6> features(const LightExtent& e, float direction_scale) {

@@ -45,7 +45,7 @@ constexpr int k_min_lights_to_choose = 6;
 constexpr double k_choosing_cost = 12, k_far_cost = 0.2, k_traced_cost = 20;
 constexpr double k_wide = 1; // points so far apart, or so turned, are split at once
 // Lights of a range of points that have shadow rays of their own; dimmer ones share a ratio.
-constexpr std::size_t k_most_traced = 24;
+constexpr std::size_t k_most_traced = 16;
 constexpr std::size_t k_smallest_range = 32; // points that are not split any more, two registers
 constexpr std::int32_t k_far_lights = -1;    // whose sums a slot holds, when no single light's
 
