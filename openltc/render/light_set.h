@@ -18,7 +18,7 @@ namespace openltc::render {
 
 /// Owner of what the views in a KernelContext point to.
 struct LightSet {
-  std::vector<light::PackedPolygon> packed; ///< of the polygons among the area lights
+  std::vector<light::PackedPolygon> packed;    ///< of the polygons among the area lights
   std::vector<light::EmissionStack> emissions; ///< of those that have a picture
   std::vector<AreaLightView> area_lights;
   std::vector<TreeLight> tree_lights; ///< the same

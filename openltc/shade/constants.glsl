@@ -13,8 +13,8 @@ CONSTANT k_half_inv_pi = 0.15915494309189533577;
 CONSTANT k_min_alpha = 1.0e-4;
 
 /// Distance of a point from a plane, relative to their coordinates, below which the point is taken to
-/// lie in it: some thirty times the rounding of a world-space position in single precision.
-CONSTANT k_plane_tolerance = 2.0e-6;
+/// lie in it: some ten times the rounding of a world-space position in single precision.
+CONSTANT k_plane_tolerance = 6.0e-7;
 
 /// Least share of a lobe above the horizon that its amplitude is divided by. Fitted lobes have 0.7
 /// and more there; a lobe of a damaged table must not magnify rounding.
@@ -22,3 +22,7 @@ CONSTANT k_min_share = 0.01;
 
 /// Added under a division or a square root whose argument may vanish; far below any length in use.
 CONSTANT k_tiny = 1.0e-30;
+
+/// Square of the least length that an edge's end may have before it counts as the origin itself: the
+/// product of two inverse lengths and of an inverse sine, at most 1e15, stays finite.
+CONSTANT k_least_length2 = 1.0e-20;

@@ -43,7 +43,11 @@ FN Real theta_over_sin(Real x, Real sin2) {
                 y * (Real(0.35581734455759484) + y * Real(0.004572514079188905)));
   Real q = Real(1.0) + y * (Real(1.679811571269012) +
                             y * (Real(0.7959248032398663) + y * Real(0.09409187287776444)));
-  Real v = p / q;
+  Real v = p * reciprocal(q);
+  // Uniform shortcut: no lane's edge is longer than a right angle.
+  if (!any_lane(x < Real(0.0))) {
+    return v;
+  }
   Real inv_sin = inversesqrt(max(sin2, Real(k_tiny)));
   return select(x < Real(0.0), k_pi * inv_sin - v, v);
 }
@@ -51,16 +55,17 @@ FN Real theta_over_sin(Real x, Real sin2) {
 /// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
 /// itself so that the cross product of a small, far edge does not cancel. Never longer than pi: a
 /// vector over its length, times an angle.
+///
 /// inv_a, inv_b: one over the lengths of a and b.
 FN Vec3 edge_term_scaled(Vec3 a, Vec3 b, Vec3 d, Real inv_a, Real inv_b) {
-  Real x = dot(a, b) * inv_a * inv_b;
-  Vec3 c = cross(a * inv_a, d * inv_b);
-  return c * theta_over_sin(x, dot(c, c));
+  Real scale = inv_a * inv_b;
+  Vec3 c = cross(a, d);
+  return c * (scale * theta_over_sin(dot(a, b) * scale, dot(c, c) * scale * scale));
 }
 
 FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {
-  return edge_term_scaled(a, b, d, inversesqrt(max(dot(a, a), Real(k_tiny))),
-                          inversesqrt(max(dot(b, b), Real(k_tiny))));
+  return edge_term_scaled(a, b, d, inversesqrt(max(dot(a, a), Real(k_least_length2))),
+                          inversesqrt(max(dot(b, b), Real(k_least_length2))));
 }
 
 /// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
@@ -131,8 +136,8 @@ FN Vec3 clipped_edge_term_scaled(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s,
 
 FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
   return clipped_edge_term_scaled(a_o, b_o, a_z, b_z, s,
-                                  inversesqrt(max(dot(a_o, a_o), Real(k_tiny))),
-                                  inversesqrt(max(dot(b_o, b_o), Real(k_tiny))));
+                                  inversesqrt(max(dot(a_o, a_o), Real(k_least_length2))),
+                                  inversesqrt(max(dot(b_o, b_o), Real(k_least_length2))));
 }
 
 /// The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own

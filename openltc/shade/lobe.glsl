@@ -75,10 +75,10 @@ FN Vec3 from_cosine(Lobe lobe, Vec3 o) {
   return Vec3(lobe.m22 * o.x - lobe.m02 * o.z, lobe.det * o.y, lobe.m00 * o.z - lobe.m20 * o.x);
 }
 
-/// An upper bound of how much M^-1 lengthens a vector: its Frobenius norm.
-FN Real lobe_stretch(Lobe lobe) {
-  return sqrt(Real(1.0) + lobe.m00 * lobe.m00 + lobe.m02 * lobe.m02 + lobe.m20 * lobe.m20 +
-              lobe.m22 * lobe.m22);
+/// An upper bound of the square by which M^-1 lengthens a vector: its Frobenius norm.
+FN Real lobe_stretch2(Lobe lobe) {
+  return Real(1.0) + lobe.m00 * lobe.m00 + lobe.m02 * lobe.m02 + lobe.m20 * lobe.m20 +
+         lobe.m22 * lobe.m22;
 }
 
 /// The surface's normal in cosine space, unit: M^T z ~ (-m20, 0, m00), the normal of the plane to

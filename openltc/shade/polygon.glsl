@@ -44,8 +44,8 @@ FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Re
   for (int i = 0; i < count; ++i) {
     Vec3 b = to_shading(frame, polygon_point(polygon, i) - position);
     Vec3 b_o = to_cosine(lobe, b);
-    Real inv_b = inversesqrt(max(dot(b, b), Real(k_tiny)));
-    Real inv_b_o = inversesqrt(max(dot(b_o, b_o), Real(k_tiny)));
+    Real inv_b = inversesqrt(max(dot(b, b), Real(k_least_length2)));
+    Real inv_b_o = inversesqrt(max(dot(b_o, b_o), Real(k_least_length2)));
     if (!polygon_starts_ring(polygon, i)) {
       sums.diffuse = sums.diffuse + clipped_edge_term_scaled(a, b, a.z, b.z, s, inv_a, inv_b);
       sums.specular =
@@ -93,8 +93,14 @@ FN Vec3 sum_small_polygon(SmallPolygon small, Lobe lobe) {
 /// handed over, without a step, to its small form, which is wrong by the fourth power of that radius.
 FN Real polygon_exactness(Vec3 center, Real radius, Lobe lobe) {
   Vec3 o = to_cosine(lobe, center);
-  Real reach = radius * lobe_stretch(lobe);
-  Real inv_o = inversesqrt(max(dot(o, o), Real(k_tiny)));
+  Real reach2 = radius * radius * lobe_stretch2(lobe);
+  Real o2 = max(dot(o, o), Real(k_tiny));
+  // Uniform shortcut: no lane sees it small.
+  if (all_lanes(reach2 >= Real(0.0025) * o2)) {
+    return Real(1.0);
+  }
+  Real reach = sqrt(reach2);
+  Real inv_o = inversesqrt(o2);
   Real exact = min(max((reach * inv_o - Real(0.03)) * Real(50.0), Real(0.0)), Real(1.0));
   Mask above = center.z > radius && o.z > reach;
   return select(above, exact, Real(1.0));

@@ -120,7 +120,8 @@ FN Real tube_thickness(Tube tube, TubeView view, Lobe lobe) {
   Vec3 d = to_cosine(lobe, view.to) - a;
   Real t = min(max(-dot(a, d) / max(dot(d, d), Real(k_tiny)), Real(0.0)), Real(1.0));
   Vec3 nearest = a + d * t;
-  return tube.radius * lobe_stretch(lobe) * inversesqrt(max(dot(nearest, nearest), Real(k_tiny)));
+  return tube.radius *
+         sqrt(lobe_stretch2(lobe) / max(dot(nearest, nearest), Real(k_tiny)));
 }
 
 /// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline.
