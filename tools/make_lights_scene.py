@@ -145,7 +145,7 @@ def add_wall_lights(room):
 
     size = stained_glass.k_size
     texture = room.file.texture("rose window", glb.png(size, size, 3, stained_glass.rows()))
-    glass = room.glow("window", [1.0, 1.0, 1.0], 3700, True, texture)
+    glass = room.glow("window", [1.0, 1.0, 1.0], 3000, True, texture)
     positions, normals, triangles = shapes.rectangle(1.24, 1.24)
     # Seen by whom it shines on, +X of the node is to the left; pictures have their top at v = 0.
     mesh = add_mesh(room.file, "window", (positions, normals, triangles), glass,
@@ -255,7 +255,7 @@ def add_other_lights(room):
         turned.curve([(-0.03, 0.134), (0.0, 0.13), (0.055, 0.095), (0.083, 0.036), (0.09, 0.0)]))]
     room.thing("dome", turned.turned([outside], 64), room.brass(), at, rotation=k_upright)
     room.thing("lining of the dome", turned.turned([inside], 64), room.iron(), at, rotation=k_upright)
-    room.thing("cable", turned.cylinder(3.0, 0.005, 16), room.iron(), (at[0], at[1] + 1.6, at[2]),
+    room.thing("cable", turned.cylinder(3.0, 0.0025, 16), room.iron(), (at[0], at[1] + 1.6, at[2]),
                rotation=k_upright)
     ceiling = (0.0, 4.7, 3.2)
     room.node("ceiling panel", ceiling, rotation=facing(ceiling, (0, 0.4, 0.2)),
