@@ -12,6 +12,7 @@
 #   SIZE=1280x720     SAMPLES=32        SHADOW_SAMPLES=64    the large picture
 #   COMPARE_SIZE=480x270                                     large pictures that are compared
 #   SHAPE_SIZE=300x200                                       small ones
+#   SHAPES="disk sphere"                                     these only, without the large picture
 #   COMPARE_SAMPLES=64   REFERENCE_SAMPLES=512   UNSHADOWED_SAMPLES=1024
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -51,25 +52,35 @@ print("| %-13s | %6.2f %% | %7.4f | %6.2f %% | %7.4f |" % (
     flush=True)' "$2" "${json[@]}"
 }
 
-echo "lights: the picture, ${SIZE:-1280x720}" >&2
-"$tool" render scenes/lights.glb --size "${SIZE:-1280x720}" --samples "${SAMPLES:-32}" \
-  --shadow-samples "${SHADOW_SAMPLES:-64}" --exposure 10 --quiet -o "$out/lights.png"
+shapes="${SHAPES:-}"
+if [[ -z "$shapes" ]]; then
+  echo "lights: the picture, ${SIZE:-1280x720}" >&2
+  "$tool" render scenes/lights.glb --size "${SIZE:-1280x720}" --samples "${SAMPLES:-32}" \
+    --shadow-samples "${SHADOW_SAMPLES:-64}" --exposure 10 --quiet -o "$out/lights.png"
+fi
 /usr/bin/python3 -B tools/make_light_shapes.py "$out/shapes"
 
 echo "lights: LTC against the reference" >&2
 echo "| scene         | error, with shadows | FLIP | error, without | FLIP |"
 echo "|---|---|---|---|---|"
-compare scenes/lights.glb lights_small "$compare_size" 10
-for scene in "$out"/shapes/*.glb; do
-  compare "$scene" "shapes/$(basename "${scene%.glb}")" "$shape_size" 9.4
+if [[ -z "$shapes" ]]; then
+  compare scenes/lights.glb lights_small "$compare_size" 10
+  shapes="$(cd "$out/shapes" && echo *.glb)"
+fi
+for name in $shapes; do
+  name="${name%.glb}"
+  compare "$out/shapes/$name.glb" "shapes/$name" "$shape_size" 9.4
 done
 
 if [[ "${1:-}" == --docs ]]; then
   mkdir -p docs/images/lights
-  cp "$out/lights.png" docs/images/lights.png
-  cp "$out/lights_small_reference.png" docs/images/lights_reference.png
-  for scene in "$out"/shapes/*.glb; do
-    name="$(basename "${scene%.glb}")"
+  if [[ -z "${SHAPES:-}" ]]; then
+    cp "$out/lights.png" docs/images/lights.png
+    cp "$out/lights_small_reference.png" docs/images/lights_reference.png
+  fi
+  for name in $shapes; do
+    name="${name%.glb}"
+    [[ "$name" == *_power_* ]] && continue # figures only
     cp "$out/shapes/$name.png" "$out/shapes/${name}_reference.png" docs/images/lights/
   done
 fi

@@ -75,6 +75,13 @@ k_shapes = {
                       {"type": "line", "length": 1.2,
                        "intensity_candela": 2 * k_line_radius * 1.2 * k_line_luminance},
                       k_line_luminance),
+    # Emission that depends on the angle, for the table of errors.
+    "disk_power_4": planar("narrow disk", turned.ellipse(0.34, 0.34),
+                           {"type": "disk", "radius": 0.34, "two_sided": True, "cosine_power": 4}),
+    "sphere_power_4": round_one("narrow sphere", shapes_scaled(shapes.icosphere(4), 0.26),
+                                {"type": "sphere", "radius": 0.26, "cosine_power": 4}),
+    "capsule_power_4": round_one("narrow capsule", turned.capsule(0.8, 0.08),
+                                 dict(tube(0.8, 0.08, "round"), cosine_power=4), 3600),
     "point": punctual({"type": "point", "intensity_candela": 1300}, (-0.2, 1.2, 0.75), (0, 0, 0)),
     "spot": punctual({"type": "spot", "intensity_candela": 7500, "inner_cone_degrees": 14,
                       "outer_cone_degrees": 22, "range": 8}, (-0.8, 2.2, 1.6), (0.05, 0.1, 0.2)),
