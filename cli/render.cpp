@@ -49,6 +49,7 @@ struct RenderArguments {
   std::string table;
   std::optional<int> samples;
   int shadow_samples = 16;
+  float light_error = render::RenderOptions{}.light_error;
   DisplayOptions display;
   render::PixelFilter filter = render::PixelFilter::blackman_harris;
   std::string exposure = "auto";
@@ -201,6 +202,7 @@ int run_render(const RenderArguments& arguments) {
   options.samples =
       arguments.samples.value_or(reference ? k_default_samples_reference : k_default_samples_ltc);
   options.shadow_samples = arguments.shadow_samples;
+  options.light_error = arguments.light_error;
   options.punctual_form = arguments.point_lights;
   options.filter = arguments.filter;
   options.seed = arguments.seed;
@@ -298,6 +300,8 @@ int run_render(const RenderArguments& arguments) {
         {"shadow_samples", options.shadow_samples},
         {"area_lights", scene.lights.area_light_count()},
         {"punctual_lights", scene.lights.punctual.size()},
+        {"light_error_nits", picture->light_error_nits},
+        {"lights_per_point", picture->lights_per_point},
         {"kernel", picture->kernel},
         {"load_seconds", load_seconds},
         {"build_seconds", picture->build_seconds},
@@ -363,6 +367,15 @@ void add_render(CLI::App& app, int& exit_code) {
           "all shadows off")
       ->check(CLI::Range(0, 4096).description(""))
       ->type_name("N")
+      ->capture_default_str();
+  command
+      ->add_option("--light-error", a.light_error,
+                   "Scenes of many area lights: how far a surface's light, before shadows, may be "
+                   "from that of all lights one by one, as a fraction of the view's light level "
+                   "(the median of what surfaces in view reflect, without shadows). Within it, "
+                   "lights are left out or taken in groups; 0 shades all")
+      ->check(CLI::Range(0.0f, 1.0f).description(""))
+      ->type_name("FRACTION")
       ->capture_default_str();
   const Choices<render::PixelFilter> filters = {
       {"blackman-harris", render::PixelFilter::blackman_harris},

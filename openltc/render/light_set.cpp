@@ -4,8 +4,8 @@
 #include "openltc/render/light_set.h"
 
 #include "openltc/light/curved.h"
-#include "openltc/light/ies.h"
 #include "openltc/light/emitter.h"
+#include "openltc/light/ies.h"
 #include "openltc/light/polygon.h"
 
 #include <type_traits>
@@ -98,6 +98,13 @@ void pack_emission(const Light& light, const light::Lights& lights, int side, Ar
   }
 }
 
+float largest_value(const image::Image& picture) {
+  float largest = 0;
+  for (const float v : picture.data)
+    if (v > largest) largest = v;
+  return largest;
+}
+
 } // namespace
 
 LightSet pack_lights(const light::Lights& lights) {
@@ -117,6 +124,10 @@ LightSet pack_lights(const light::Lights& lights) {
     pack(light, view, set);
     pack_emission(light, lights, side, view, set);
     set.area_lights.push_back(view);
+    TreeLight in_tree = tree_light(light);
+    if (view.emission.texels)
+      in_tree = textured(in_tree, largest_value(lights.textures[std::size_t(light.texture)]));
+    set.tree_lights.push_back(in_tree);
   });
   for (const light::PunctualLight& light : lights.punctual) {
     if (const Status valid = light::validate(light); !valid.ok()) {

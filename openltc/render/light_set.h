@@ -7,6 +7,7 @@
 
 #include "openltc/light/emission_stack.h"
 #include "openltc/light/packed_polygon.h"
+#include "openltc/render/light_tree.h"
 #include "openltc/render/shading_kernel.h"
 
 #include <memory>
@@ -20,6 +21,7 @@ struct LightSet {
   std::vector<light::PackedPolygon> packed; ///< of the polygons among the area lights
   std::vector<light::EmissionStack> emissions; ///< of those that have a picture
   std::vector<AreaLightView> area_lights;
+  std::vector<TreeLight> tree_lights; ///< the same
   std::vector<PunctualLightView> punctual;
   std::vector<std::shared_ptr<const light::IesProfile>> profiles; ///< of the punctual lights
   std::vector<std::string> warnings; ///< lights that were left out, and why

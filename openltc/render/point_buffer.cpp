@@ -3,6 +3,9 @@
 
 #include "openltc/render/point_buffer.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace openltc::render {
 
 PointBuffer::PointBuffer(std::size_t capacity) : capacity_(capacity) {
@@ -41,11 +44,9 @@ void PointBuffer::add(const SurfacePoint& p, const PointTarget& target) {
   weight_[i] = target.weight;
 }
 
-void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
-                        std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
-                        int pixel_count) {
-  if (count_ == 0) return;
-  // Fill the last register with copies of the last point, so that every lane holds valid numbers.
+// Arrays of the points of a range. The last register of all is filled with copies of the last
+// point, so that every lane holds valid numbers.
+ShadingBatch PointBuffer::batch(Range range) {
   for (std::size_t i = count_; i % k_batch_padding != 0; ++i) {
     for (auto& field : fields_)
       field[i] = field[count_ - 1];
@@ -55,21 +56,79 @@ void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
     index_[i] = index_[count_ - 1];
   }
   ShadingBatch batch;
-  batch.count = int(count_);
+  batch.count = int(range.size());
   for (std::size_t f = 0; f < fields_.size(); ++f)
-    batch.in[f] = fields_[f].data();
+    batch.in[f] = fields_[f].data() + range.begin;
   for (std::size_t c = 0; c < 3; ++c)
-    batch.out[c] = out_[c].data();
-  batch.weight = weight_.data();
-  batch.pixel = pixel_.data();
-  batch.ratio_sums = ratio_sums.data();
-  batch.pixel_count = pixel_count;
-  batch.seed = seed_.data();
-  batch.index = index_.data();
+    batch.out[c] = out_[c].data() + range.begin;
+  batch.weight = weight_.data() + range.begin;
+  batch.pixel = pixel_.data() + range.begin;
+  batch.seed = seed_.data() + range.begin;
+  batch.index = index_.data() + range.begin;
+  return batch;
+}
+
+BatchBounds PointBuffer::measure(const Kernel& kernel, const KernelContext& context, Range range) {
+  BatchBounds bounds;
+  kernel.measure(context, batch(range), &bounds);
+  return bounds;
+}
+
+std::size_t PointBuffer::split(Range range, PointField field) {
+  const std::size_t half =
+      std::max(range.size() / 2 / k_batch_padding, std::size_t(1)) * k_batch_padding;
+  const std::vector<float>& key = fields_[std::size_t(field)];
+  order_.resize(range.size());
+  std::iota(order_.begin(), order_.end(), std::uint32_t(range.begin));
+  std::nth_element(
+      order_.begin(), order_.begin() + std::ptrdiff_t(half), order_.end(),
+      [&](std::uint32_t a, std::uint32_t b) { return key[a] != key[b] ? key[a] < key[b] : a < b; });
+  const auto reorder = [&](auto& values, auto& moved) {
+    moved.resize(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      moved[i] = values[order_[i]];
+    std::copy(moved.begin(), moved.end(), values.begin() + std::ptrdiff_t(range.begin));
+  };
+  for (auto& values : fields_)
+    reorder(values, moved_float_);
+  reorder(weight_, moved_float_);
+  for (auto* values : {&seed_, &index_, &pixel_, &sample_})
+    reorder(*values, moved_uint_);
+  return range.begin + half;
+}
+
+void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, Range range,
+                        const ShadingBatch& batch, std::vector<Vec3f>& samples) {
   kernel.shade(context, batch);
-  for (std::size_t i = 0; i < count_; ++i)
+  for (std::size_t i = range.begin; i < range.end; ++i)
     samples[sample_[i]] += Vec3f(out_[0][i], out_[1][i], out_[2][i]) * weight_[i];
-  count_ = 0;
+}
+
+void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, Range range,
+                        const Lighting& lighting, std::vector<Vec3f>& samples,
+                        std::vector<float>& ratio_sums, int pixel_count) {
+  static constexpr std::int32_t none = 0; // an empty list is not the null that means all
+  ShadingBatch chosen = batch(range);
+  chosen.ratio_sums = ratio_sums.data();
+  chosen.pixel_count = pixel_count;
+  chosen.lights = lighting.lights.empty() ? &none : lighting.lights.data();
+  chosen.slots = lighting.slots.data();
+  chosen.light_count = int(lighting.lights.size());
+  chosen.far = lighting.far.data();
+  chosen.far_count = int(lighting.far.size());
+  chosen.far_slot = lighting.far_slot;
+  shade(kernel, context, range, chosen, samples);
+}
+
+void PointBuffer::shade(const Kernel& kernel, const KernelContext& context,
+                        std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
+                        int pixel_count) {
+  if (count_ == 0) return;
+  ShadingBatch every = batch(all());
+  every.ratio_sums = ratio_sums.data();
+  every.pixel_count = pixel_count;
+  shade(kernel, context, all(), every, samples);
+  clear();
 }
 
 } // namespace openltc::render

@@ -9,6 +9,7 @@
 #include "openltc/render/surface_point.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace openltc::render {
@@ -22,6 +23,13 @@ struct PointTarget {
   float weight = 1;               ///< share in the camera sample
 };
 
+/// The lights of a batch; see the fields of ShadingBatch.
+struct Lighting {
+  std::span<const std::int32_t> lights, slots;
+  std::span<const FarGroup> far;
+  int far_slot = 0;
+};
+
 class PointBuffer {
 public:
   explicit PointBuffer(std::size_t capacity);
@@ -29,16 +37,47 @@ public:
   bool full() const { return count_ == capacity_; }
   void add(const SurfacePoint& point, const PointTarget& target);
 
-  /// Shades all points, adds to `samples` and `ratio_sums` (see ShadingBatch) and becomes empty.
+  bool empty() const { return count_ == 0; }
+  std::size_t size() const { return count_; }
+
+  /// Some of the points, one at least; `begin` is a multiple of k_batch_padding.
+  struct Range {
+    std::size_t begin = 0, end = 0;
+    std::size_t size() const { return end - begin; }
+  };
+  Range all() const { return {0, count_}; }
+
+  /// Bounds of the points of a range, perhaps with a few more.
+  BatchBounds measure(const Kernel& kernel, const KernelContext& context, Range range);
+
+  /// Orders a range so that `field` is nowhere larger in its first half than in its second; returns
+  /// where that one begins. There must be more than k_batch_padding points.
+  std::size_t split(Range range, PointField field);
+
+  /// Shades a range as `lighting` says and adds to `samples` and `ratio_sums` (see ShadingBatch).
+  /// Ranges must be shaded in ascending order.
+  void shade(const Kernel& kernel, const KernelContext& context, Range range,
+             const Lighting& lighting, std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
+             int pixel_count);
+  /// Shades all points by all lights and becomes empty.
   void shade(const Kernel& kernel, const KernelContext& context, std::vector<Vec3f>& samples,
              std::vector<float>& ratio_sums, int pixel_count);
 
+  void clear() { count_ = 0; }
+
 private:
+  ShadingBatch batch(Range range);
+  void shade(const Kernel& kernel, const KernelContext& context, Range range,
+             const ShadingBatch& batch, std::vector<Vec3f>& samples);
+
   std::size_t capacity_, count_ = 0;
   std::array<std::vector<float>, k_point_field_count> fields_;
   std::array<std::vector<float>, 3> out_;
   std::vector<std::uint32_t> seed_, index_, pixel_, sample_;
   std::vector<float> weight_;
+  std::vector<std::uint32_t> order_; // of a range, while it is split
+  std::vector<float> moved_float_;
+  std::vector<std::uint32_t> moved_uint_;
 };
 
 } // namespace openltc::render

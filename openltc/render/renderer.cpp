@@ -11,7 +11,9 @@
 #include "openltc/base/sampling.h"
 #include "openltc/image/file.h"
 #include "openltc/render/camera_rays.h"
+#include "openltc/render/light_level.h"
 #include "openltc/render/light_set.h"
+#include "openltc/render/light_tree.h"
 #include "openltc/render/point_buffer.h"
 #include "openltc/render/ray_scene.h"
 #include "openltc/render/surface_point.h"
@@ -19,8 +21,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace openltc::render {
 
@@ -33,7 +38,16 @@ constexpr int k_max_size = 32768;        // pixels on a side
 constexpr int k_tile_pixels = k_tile * k_tile;
 constexpr std::size_t k_batch = 4096; // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
-constexpr std::size_t k_max_area_lights = 20000; // 180 MB of shadow sums per thread
+// Fewer lights than this are all shaded: choosing among them costs as much.
+constexpr int k_min_lights_to_choose = 6;
+// Costs in terms of shading one point by one light without shadow: bounding a node of the light
+// tree for a range of points, shading by a far group, shading with shadow rays.
+constexpr double k_choosing_cost = 12, k_far_cost = 0.2, k_traced_cost = 20;
+constexpr double k_wide = 1; // points so far apart, or so turned, are split at once
+// Lights of a range of points that have shadow rays of their own; dimmer ones share a ratio.
+constexpr std::size_t k_most_traced = 16;
+constexpr std::size_t k_smallest_range = 32; // points that are not split any more, two registers
+constexpr std::int32_t k_far_lights = -1;    // whose sums a slot holds, when no single light's
 
 static_assert(k_tile == RayPacket::k_size);
 
@@ -49,6 +63,15 @@ struct Job {
   const RayScene& rays;
   Kernel kernel;
   KernelContext context;
+  const LightTree* tree; ///< null: all lights shade all points
+  double tolerance_nits; ///< of what the tree chooses
+  double light_spacing;  ///< metres, typical distance from one light to the next
+};
+
+/// What shading took, over all tiles.
+struct ShadingWork {
+  std::atomic<std::int64_t> points{0};
+  std::atomic<std::int64_t> exact{0}, far{0}; ///< pairs of a point and a light or a far group
 };
 
 bool needs_ratio(const KernelContext& context) {
@@ -64,14 +87,16 @@ public:
       : job_(job), x0_(x0), y0_(y0), width_(std::min(k_tile, job.options.width - x0)),
         height_(std::min(k_tile, job.options.height - y0)), points_(k_batch) {}
 
-  void render(Picture& picture) {
+  void render(Picture& picture, ShadingWork& work) {
     const int samples = job_.options.samples;
     const int pixels = k_tile_pixels;
     std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
     if (needs_ratio(job_.context))
-      ratio_sums_.assign(std::size_t(job_.context.area_light_count) * k_ratio_sum_count *
-                             std::size_t(pixels),
-                         0.0f);
+      slot_of_light_.assign(std::size_t(job_.context.area_light_count), -1);
+    if (!job_.tree) {
+      choice_.exact.resize(std::size_t(job_.context.area_light_count));
+      std::iota(choice_.exact.begin(), choice_.exact.end(), 0);
+    }
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
       if (interrupted()) return;
@@ -106,27 +131,112 @@ public:
         e[1] = error(mean.y, sum2[i].y);
         e[2] = error(mean.z, sum2[i].z);
       }
+    work.points += points_shaded_;
+    work.exact += exact_;
+    work.far += far_;
   }
 
 private:
   void shade_points() {
-    points_.shade(job_.kernel, job_.context, samples_, ratio_sums_, k_tile_pixels);
+    if (points_.empty()) return;
+    shade_range(points_.all());
+    points_.clear();
+  }
+
+  // Shades points that are near to each other: where they are not, their lights are bounded badly
+  // and it pays to choose for each half. What is paid and gained is counted in what they shade.
+  void shade_range(PointBuffer::Range range) {
+    const std::size_t most_exact =
+        job_.context.trace ? k_most_traced : std::numeric_limits<std::size_t>::max();
+    if (job_.tree) {
+      const BatchBounds bounds = points_.measure(job_.kernel, job_.context, range);
+      const Width width = widest_field(bounds);
+      bool split = false;
+      if (range.size() >= 2 * k_smallest_range) {
+        split = width.relative > k_wide && range.size() >= 4 * k_smallest_range;
+        if (!split) {
+          const std::size_t nodes =
+              job_.tree->choose(bounds, job_.tolerance_nits, most_exact, choice_);
+          const double lights =
+              double(choice_.exact.size()) + k_far_cost * double(choice_.far.size());
+          const double shading =
+              double(range.size()) * lights * (job_.context.trace ? k_traced_cost : 1.0);
+          split = shading * std::min(width.relative, 1.0) > k_choosing_cost * double(nodes);
+        }
+      } else {
+        job_.tree->choose(bounds, job_.tolerance_nits, most_exact, choice_);
+      }
+      if (split) {
+        const std::size_t middle = points_.split(range, width.field);
+        shade_range({range.begin, middle});
+        shade_range({middle, range.end});
+        return;
+      }
+    }
+    Lighting lighting;
+    if (needs_ratio(job_.context)) lighting.far_slot = give_slots();
+    lighting.lights = choice_.exact;
+    lighting.slots = slots_;
+    lighting.far = choice_.far;
+    const std::int64_t count = std::int64_t(range.size());
+    points_shaded_ += count;
+    exact_ += count * std::int64_t(choice_.exact.size());
+    far_ += count * std::int64_t(choice_.far.size());
+    points_.shade(job_.kernel, job_.context, range, lighting, samples_, ratio_sums_, k_tile_pixels);
+  }
+
+  // By what points differ most: turned by a radian counts as much as being apart by the distance of
+  // the lights from each other.
+  struct Width {
+    PointField field = k_position_x;
+    double relative = 0; ///< to the distance of the lights from each other
+  };
+  Width widest_field(const BatchBounds& bounds) const {
+    static constexpr std::pair<int, PointField> fields[] = {
+        {k_bound_position, k_position_x},     {k_bound_position + 1, k_position_y},
+        {k_bound_position + 2, k_position_z}, {k_bound_normal, k_normal_x},
+        {k_bound_normal + 1, k_normal_y},     {k_bound_normal + 2, k_normal_z}};
+    Width widest;
+    for (const auto& [bound, field] : fields) {
+      const double extent = double(bounds.upper[bound]) - double(bounds.lower[bound]);
+      const double relative = field < k_normal_x ? extent / job_.light_spacing : extent;
+      if (relative > widest.relative) widest = {field, relative};
+    }
+    return widest;
+  }
+
+  // Sums for the lights that this tile meets for the first time. Returns those of far groups.
+  int give_slots() {
+    const auto slot_for = [&](std::int32_t light, std::int32_t& slot) {
+      if (slot < 0) {
+        slot = std::int32_t(light_of_slot_.size());
+        light_of_slot_.push_back(light);
+      }
+      return slot;
+    };
+    slots_.clear();
+    for (const std::int32_t light : choice_.exact)
+      slots_.push_back(slot_for(light, slot_of_light_[std::size_t(light)]));
+    if (!choice_.far.empty()) slot_for(k_far_lights, far_slot_);
+    ratio_sums_.resize(light_of_slot_.size() * k_ratio_sum_count * std::size_t(k_tile_pixels),
+                       0.0f);
+    return far_slot_;
   }
 
   // Light of all area lights in a pixel, summed over its camera samples: the closed form times the
   // ratio of shadowed to unshadowed light. No sample found the light: no shadow is known either.
   Vec3d shadowed_area_lights(std::size_t pixel) const {
     Vec3d total(0.0);
-    if (ratio_sums_.empty()) return total;
-    for (int l = 0; l < job_.context.area_light_count; ++l) {
-      const float* sums =
-          ratio_sums_.data() + std::size_t(l) * k_ratio_sum_count * k_tile_pixels + pixel;
+    for (std::size_t slot = 0; slot < light_of_slot_.size(); ++slot) {
+      const std::int32_t light = light_of_slot_[slot];
+      const float* sums = ratio_sums_.data() + slot * k_ratio_sum_count * k_tile_pixels + pixel;
       const auto channel = [&](int c) {
         const double closed = sums[(k_closed_r + c) * k_tile_pixels];
         const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
         const double shadowed = sums[(k_shadowed_r + c) * k_tile_pixels];
         const double ratio = unshadowed > 0 ? shadowed / unshadowed : 1.0;
-        return closed * ratio * double(job_.context.area_lights[l].radiance[c]);
+        if (light == k_far_lights) return closed * ratio;
+        return closed * ratio * double(job_.context.area_lights[light].radiance[c]);
       };
       total += Vec3d(channel(0), channel(1), channel(2));
     }
@@ -206,7 +316,12 @@ private:
   int x0_, y0_, width_, height_;
   PointBuffer points_;
   std::vector<Vec3f> samples_;
-  std::vector<float> ratio_sums_; // see ShadingBatch; empty unless the ratio is needed
+  LightChoice choice_; // for the points in work
+  // Sums of the shadow ratio, see ShadingBatch, and whose they are; empty unless it is needed.
+  std::vector<float> ratio_sums_;
+  std::vector<std::int32_t> slots_, slot_of_light_, light_of_slot_;
+  std::int32_t far_slot_ = -1;
+  std::int64_t points_shaded_ = 0, exact_ = 0, far_ = 0;
 };
 
 Status check(const RenderOptions& o) {
@@ -220,6 +335,8 @@ Status check(const RenderOptions& o) {
     return Error{fmt::format("samples per pixel: {} is not in 1 to {}", o.samples, 1 << 20)};
   if (o.shadow_samples < 0 || o.shadow_samples > 4096)
     return Error{fmt::format("shadow samples: {} is not in 0 to 4096", o.shadow_samples)};
+  if (!(o.light_error >= 0 && o.light_error <= 1))
+    return Error{fmt::format("light error: {} is not in 0 to 1", o.light_error)};
   return Success{};
 }
 
@@ -236,14 +353,10 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const TextureSet textures(scene);
   auto rays = RayScene::create(scene, textures);
   if (!rays.ok()) return rays.error();
-  if (scene.lights.area_light_count() > k_max_area_lights)
-    return Error{fmt::format("the scene has {} area lights, more than {}: give curved emissive "
-                             "surfaces fewer facets",
-                             scene.lights.area_light_count(), k_max_area_lights)};
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 
-  Job job{scene, options, camera_rays, textures, **rays, kernel, {}};
+  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, 0, 0};
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
@@ -267,13 +380,30 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
     context.tracer = rays->get();
   }
 
+  LightTree tree;
+  if (!reference && options.light_error > 0 && context.area_light_count >= k_min_lights_to_choose) {
+    tree = LightTree(lights.tree_lights);
+    context.far_lights.order = tree.order().data();
+    context.far_lights.cdf = tree.cdf().data();
+    for (const AreaLightView& light : lights.area_lights)
+      context.far_lights.surface_deviation =
+          std::max(context.far_lights.surface_deviation, 1.5f * light.surface_deviation);
+    job.tree = &tree;
+    job.light_spacing = tree.spacing();
+    job.tolerance_nits = double(options.light_error) *
+                         light_level_nits(scene, textures, **rays, camera_rays, options.width,
+                                          options.height, kernel, context, options.threads);
+  }
+
   Picture picture;
+  picture.light_error_nits = job.tolerance_nits;
   picture.radiance = image::Image(options.width, options.height, 3);
   picture.standard_error = image::Image(options.width, options.height, 3);
   picture.kernel = kernel.name;
   picture.warnings = lights.warnings;
   picture.build_seconds = seconds_since(build_start);
 
+  ShadingWork work;
   const auto render_start = std::chrono::steady_clock::now();
   const int columns = (options.width + k_tile - 1) / k_tile;
   const int rows = (options.height + k_tile - 1) / k_tile;
@@ -281,11 +411,14 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
     Progress progress("rendering", std::int64_t(columns) * rows, options.quiet);
     parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
       if (interrupted()) return;
-      Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture);
+      Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, work);
       progress.add(1);
     });
   }
   if (interrupted()) return Error{"interrupted; nothing was written"};
+  const double points = double(std::max<std::int64_t>(work.points, 1));
+  picture.lights_per_point = double(work.exact) / points;
+  picture.far_groups_per_point = double(work.far) / points;
   picture.render_seconds = seconds_since(render_start);
   return picture;
 }

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "openltc/render/batch_bounds.h"
 #include "openltc/target/resources.h"
 
 #include <cstddef>
@@ -56,6 +57,16 @@ enum RatioSum {
   k_ratio_sum_count
 };
 
+/// Polygon lights that a batch of points takes for one small patch; see FarLight in light_bound.h.
+struct FarGroup {
+  float center[3];
+  float moment[3][3]; ///< sum of radiance times area times normal, for r, g and b
+  bool exact;         ///< a single light, shaded in full; only its shadow is that of the groups
+  bool specular;      ///< whether there is a specular part worth having
+  float cdf;          ///< running share of the shadow samples, 1 for the last group
+  std::int32_t begin, end; ///< its lights, in FarLights::order
+};
+
 /// Surface points in, radiance out. The arrays are padded to a multiple of k_batch_padding.
 struct ShadingBatch {
   int count = 0;
@@ -66,9 +77,18 @@ struct ShadingBatch {
   const std::uint32_t* index = nullptr; ///< of the camera sample within the pixel
   float* out[3] = {};                   ///< radiance, nits, without weight
   /// With the LTC integrator and shadows, area lights do not go to `out`: their weighted sums,
-  /// for radiance 1, are added here, [light][RatioSum][pixel]. Else unused.
+  /// for radiance 1, are added here, [slot][RatioSum][pixel]. Else unused.
   float* ratio_sums = nullptr;
   int pixel_count = 0;
+  /// The area lights that shade the points, `light_count` of them, and the slot of each; null for
+  /// all, with slots of the same numbers. The reference integrator takes all in any case.
+  const std::int32_t* lights = nullptr;
+  const std::int32_t* slots = nullptr;
+  int light_count = 0;
+  /// Groups of further lights, and the slot of their sums, which are with the lights' radiance.
+  const FarGroup* far = nullptr;
+  int far_count = 0;
+  int far_slot = 0;
 };
 
 inline constexpr int k_batch_padding = 16;
@@ -97,6 +117,13 @@ struct AreaLightView {
   float surface_deviation = 0; ///< see light::Emitter
   /// Polygons and ellipses: the picture that the radiance is multiplied by; no texels, no picture.
   EmissionTextureView emission;
+};
+
+/// What shadow rays to groups of lights need.
+struct FarLights {
+  const std::int32_t* order = nullptr; ///< numbers of the lights; a group is a range of them
+  const float* cdf = nullptr;          ///< running sum of the power of the lights before each
+  float surface_deviation = 0;         ///< largest of the lights, with its factor of safety
 };
 
 struct PunctualLightView {
@@ -131,6 +158,7 @@ struct KernelContext {
   LobePolynomialView polynomial; ///< instead of the table, where it has coefficients
   const AreaLightView* area_lights = nullptr;
   int area_light_count = 0;
+  FarLights far_lights;
   const PunctualLightView* punctual = nullptr;
   int punctual_count = 0;
   Integrator integrator = Integrator::ltc;
@@ -142,13 +170,19 @@ struct KernelContext {
 };
 
 inline constexpr int k_max_brdf_samples = 64;
+/// All groups of far lights together take as many shadow samples as this many lights.
+inline constexpr int k_far_light_samples = 4;
 
 using ShadeFunction = void (*)(const KernelContext& context, const ShadingBatch& batch);
+/// Finds the bounds of the points of a batch, of which it needs only `count` (not 0) and `in`.
+using MeasureFunction = void (*)(const KernelContext& context, const ShadingBatch& batch,
+                                 BatchBounds* bounds);
 
 struct Kernel {
   const char* name = ""; ///< "scalar", "sse4", "avx2", "avx512", "neon"
   int lanes = 1;
   ShadeFunction shade = nullptr;
+  MeasureFunction measure = nullptr;
 };
 
 /// The widest kernel that this machine runs.

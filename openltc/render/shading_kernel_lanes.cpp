@@ -27,6 +27,6 @@ namespace openltc::render::OPENLTC_KERNEL {
 static_assert(k_batch_padding % k_lanes == 0);
 static_assert(k_lanes == OPENLTC_LANES, "Highway did not choose the instruction set asked for");
 
-Kernel kernel() { return {OPENLTC_STRINGIFY(OPENLTC_KERNEL), k_lanes, shade_batch}; }
+Kernel kernel() { return {OPENLTC_STRINGIFY(OPENLTC_KERNEL), k_lanes, shade_batch, measure_batch}; }
 
 } // namespace openltc::render::OPENLTC_KERNEL

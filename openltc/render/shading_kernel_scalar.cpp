@@ -19,6 +19,6 @@ using Scalar = float;
 #include "openltc/render/shading_kernel.inc"
 // clang-format on
 
-Kernel kernel() { return {"scalar", k_lanes, shade_batch}; }
+Kernel kernel() { return {"scalar", k_lanes, shade_batch, measure_batch}; }
 
 } // namespace openltc::render::scalar

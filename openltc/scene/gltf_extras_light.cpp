@@ -16,8 +16,10 @@
 #include "openltc/image/file.h"
 #include "openltc/light/curved.h"
 #include "openltc/light/emitter.h"
+#include "openltc/light/ies.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/shapes.h"
+#include "openltc/light/units.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_placement.h"
@@ -29,6 +31,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace openltc::scene::gltf {
@@ -131,8 +134,7 @@ private:
     light::SphereLight light;
     light.center = point(0, 0);
     light.radius = scaled(p_.positive("radius"));
-    const double r2 = double(light.radius) * double(light.radius);
-    read_emission(light, "a sphere", [&](double power) { return 2 * k_pi / (power + 2) * r2; });
+    read_emission(light, "a sphere");
     add(std::move(light), lights_.spheres, "radius");
   }
 
@@ -146,27 +148,21 @@ private:
     light.caps = caps == "round"  ? light::TubeCaps::round
                  : caps == "flat" ? light::TubeCaps::flat
                                   : light::TubeCaps::none;
-    const double r = double(light.radius), l = length * placement_.scale;
-    read_emission(light, "a tube", [&](double power) {
-      const double across = std::sqrt(k_pi) *
-                            std::exp(std::lgamma(power / 2 + 1) - std::lgamma(power / 2 + 1.5)) *
-                            r * l;
-      const bool has_ball = light.caps == light::TubeCaps::round;
-      return across + (has_ball ? 2 * k_pi / (power + 2) * r * r : 0);
-    });
+    read_emission(light, "a tube");
     add(std::move(light), lights_.tubes, "radius");
   }
 
   void read_line() {
     light::LineLight light;
-    const double length = p_.positive("length"), metres = length * placement_.scale;
+    const double length = p_.positive("length");
     light.from = point(-length / 2, 0);
     light.to = point(length / 2, 0);
     const Strength strength =
         read_strength("a line", {Quantity::flux_lumens, Quantity::intensity_candela});
     p_.check_all_known("a line");
     const bool is_flux = strength.quantity == Quantity::flux_lumens;
-    light.intensity_per_metre = limited(strength.value / (metres * (is_flux ? k_pi * k_pi : 1.0)));
+    light.intensity_per_metre = limited(
+        strength.value / (is_flux ? light::flux_per_intensity(light) : length * placement_.scale));
     add(std::move(light), lights_.lines, "length");
   }
 
@@ -178,32 +174,51 @@ private:
     const bool is_far = type == light::PunctualType::directional;
     const std::string what = is_far ? "a directional light" : is_spot ? "a spot" : "a point";
     if (type != light::PunctualType::point) light.direction = to_float(-placement_.back);
-    double solid_angle = 4 * k_pi; // flux over intensity
+    const bool has_profile = !is_far && read_profile(light);
     if (is_spot) {
       const double inner = p_.not_negative("inner_cone_degrees", 0);
-      const double outer = p_.not_negative("outer_cone_degrees", 45);
+      // A profile has its own limits.
+      const double outer = p_.not_negative("outer_cone_degrees", has_profile ? 90 : 45);
       if (!(outer > 0) || outer > 90)
         p_.refuse("outer_cone_degrees", fmt::format("{} is not between 0 and 90", outer));
       if (inner > outer)
         p_.refuse("inner_cone_degrees",
                   fmt::format("{} is wider than the outer cone of {}", inner, outer));
-      const double cos_inner = std::cos(inner * k_pi / 180),
-                   cos_outer = std::cos(outer * k_pi / 180);
-      light.cos_inner = float(cos_inner);
-      light.cos_outer = float(cos_outer);
-      // KHR_lights_punctual: between the cones the square of a ramp in the cosine.
-      solid_angle = 2 * k_pi * ((1 - cos_inner) + (cos_inner - cos_outer) / 3);
+      const bool is_open = has_profile && !p_.has("outer_cone_degrees");
+      if (is_open) light.type = light::PunctualType::point;
+      light.cos_inner = float(std::cos(inner * k_pi / 180));
+      light.cos_outer = float(std::cos(outer * k_pi / 180));
     }
     if (!is_far) light.range = float(p_.not_negative("range", 0));
-    const Strength strength =
-        is_far ? read_strength(what, {Quantity::illuminance_lux})
-               : read_strength(what, {Quantity::intensity_candela, Quantity::flux_lumens});
-    const bool is_flux = strength.quantity == Quantity::flux_lumens;
-    light.intensity = limited(strength.value / (is_flux ? solid_angle : 1.0));
-    if (!is_far && !p_.text("ies", "").empty()) // profile
-      p_.refuse("ies", "photometric profiles of point lights are not read yet; take it out");
+    const bool is_given = p_.has("intensity_candela") || p_.has("flux_lumens");
+    if (has_profile && !is_given) {
+      light.intensity = limited(read_color() * light.profile->max_candela);
+    } else {
+      const Strength strength =
+          is_far ? read_strength(what, {Quantity::illuminance_lux})
+                 : read_strength(what, {Quantity::intensity_candela, Quantity::flux_lumens});
+      const bool is_flux = strength.quantity == Quantity::flux_lumens;
+      const double per_candela = is_flux ? light::flux_per_intensity(light) : 1.0;
+      if (!(per_candela > 0)) p_.refuse("flux_lumens", "the profile and the cone leave no light");
+      light.intensity = limited(strength.value / per_candela);
+    }
     p_.check_all_known(what);
     add(std::move(light), lights_.punctual, "type");
+  }
+
+  // A photometric file, whose nadir points along -Z and whose horizontal angle 0 along +X. Without
+  // an intensity or flux of its own, the light has the file's.
+  bool read_profile(light::PunctualLight& light) {
+    const std::string uri = p_.text("ies", "");
+    if (uri.empty()) return false;
+    const std::string field = p_.field() + ".ies";
+    Result<light::IesProfile> profile =
+        light::read_ies(resolve_uri(uri, document_.base_dir, field));
+    if (!profile) p_.refuse("ies", profile.error().message);
+    light.profile = std::make_shared<const light::IesProfile>(std::move(*profile));
+    light.direction = to_float(-placement_.back);
+    light.right = to_float(placement_.right);
+    return true;
   }
 
   // --- emission ------------------------------------------------------------------------------
@@ -233,11 +248,16 @@ private:
     if (!strength)
       p_.refuse(k_quantities[std::size_t(allowed[0])],
                 fmt::format("is missing: say how bright it is, by {}", listed));
+    strength->value = read_color() * value;
+    return *strength;
+  }
+
+  // Colour times exposure.
+  Vec3d read_color() {
     const double exposure = p_.number("exposure", 0);
     if (!(std::abs(exposure) <= 100))
       p_.refuse("exposure", fmt::format("{} is not within 100 stops of 0", exposure));
-    strength->value = p_.color("color") * (value * std::exp2(exposure));
-    return *strength;
+    return p_.color("color") * std::exp2(exposure);
   }
 
   static Vec3f limited(Vec3d v) {
@@ -245,24 +265,23 @@ private:
                  float(std::min(v.z, 1e30)));
   }
 
-  // `intensity_of` gives the intensity in candela across a light of 1 nit for a cosine power.
-  template <class Light, class IntensityOf>
-  void read_emission(Light& light, const std::string& what, const IntensityOf& intensity_of) {
+  template <class Light> void read_emission(Light& light, const std::string& what) {
     light.cosine_power = float(p_.not_negative("cosine_power", 0));
     const Strength strength = read_strength(
         what, {Quantity::luminance_nits, Quantity::flux_lumens, Quantity::intensity_candela});
-    const double per_nit = strength.quantity == Quantity::flux_lumens
-                               ? light::exitance_per_radiance(light) * light::area(light)
-                           : strength.quantity == Quantity::intensity_candela
-                               ? intensity_of(double(light.cosine_power))
-                               : 1.0;
+    const double per_nit =
+        strength.quantity == Quantity::flux_lumens         ? light::flux_per_radiance(light)
+        : strength.quantity == Quantity::intensity_candela ? light::intensity_per_radiance(light)
+                                                           : 1.0;
+    if (!(per_nit > 0))
+      p_.refuse("type", "the light has no area; check its size and its node's scale");
     light.radiance = limited(strength.value / per_nit);
     p_.check_all_known(what);
   }
 
   template <class Light> void read_flat_emission(Light& light, const std::string& what) {
     light.two_sided = p_.flag("two_sided");
-    read_emission(light, what, [&](double) { return light::area(light); });
+    read_emission(light, what);
   }
 
   // A planar light that may carry a picture, which fills the rectangle of these half sides and is

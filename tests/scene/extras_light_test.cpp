@@ -6,6 +6,7 @@
 #include "gltf_builder.h"
 #include "openltc/image/file.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ies.h"
 #include "openltc/light/polygon.h"
 #include "openltc/scene/light_surface.h"
 #include "tests/image/make_picture.h"
@@ -210,6 +211,41 @@ TEST_CASE("lights_without_extent_have_the_intensity_of_their_flux") {
   }
   CHECK(flux == doctest::Approx(100).epsilon(1e-3));
   CHECK(is_near(spot.direction, Vec3f(0, 0, -1)));
+}
+
+TEST_CASE("photometric_files_give_points_and_spots_their_distribution") {
+  const std::string dir = std::string(OPENLTC_SOURCE_DIR) + "/tests/light/files";
+  const json point = {{"type", "point"}, {"ies", "wall_washer.ies"}};
+  const auto own = load_light(point, json::object(), dir);
+  REQUIRE(own.ok());
+  REQUIRE(own->lights.punctual.size() == 1);
+  const light::PunctualLight& light = own->lights.punctual[0];
+  REQUIRE(light.profile);
+  CHECK(double(light.intensity.x) == doctest::Approx(light.profile->max_candela));
+  CHECK(is_near(light.direction, Vec3f(0, 0, -1)));
+  CHECK(is_near(light.right, Vec3f(1, 0, 0)));
+  // The file's flux, said in lumens, gives the file's intensity.
+  const auto same =
+      load_light(with(point, {{"flux_lumens", light.profile->flux_lumens}}), json::object(), dir);
+  REQUIRE(same.ok());
+  REQUIRE(same->lights.punctual.size() == 1);
+  CHECK(double(same->lights.punctual[0].intensity.x) ==
+        doctest::Approx(light.profile->max_candela).epsilon(0.01));
+  // A spot without a cone of its own is as wide as the file; with one it is cut.
+  const json spot = with(point, {{"type", "spot"}});
+  CHECK(load_light(spot, json::object(), dir)->lights.punctual[0].type ==
+        light::PunctualType::point);
+  CHECK(load_light(with(spot, {{"outer_cone_degrees", 30}}), json::object(), dir)
+            ->lights.punctual[0]
+            .type == light::PunctualType::spot);
+  // What is wrong with the file is said, and the light left out.
+  for (const char* const name : {"none.ies", "../ies_test.cpp", "not_there/x.ies"}) {
+    const auto broken = load_light(with(point, {{"ies", name}}), json::object(), dir);
+    REQUIRE(broken.ok());
+    CHECK(broken->lights.punctual.empty());
+    REQUIRE(!broken->warnings.empty());
+    CHECK(broken->warnings[0].find("openltc_light.ies") != std::string::npos);
+  }
 }
 
 TEST_CASE("a_custom_property_may_be_an_object_a_text_or_many_properties") {

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// What many lights cost: time per frame of 5 to 5000 polygon lights, all shaded at every point and
+// chosen by the bound, and what the choice changed in the picture beside what it may.
+//
+//   bench_many_lights [LIGHTS...]   numbers of lights, the first of which the others are compared
+//   to
+
+#include "bench/many_lights_scenes.h"
+#include "openltc/render/renderer.h"
+#include "openltc/table/lobe_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+using namespace openltc;
+
+namespace {
+
+render::Picture rendered(const scene::Scene& scene, const render::RenderOptions& options) {
+  Result<render::Picture> picture =
+      render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options);
+  if (!picture.ok()) {
+    fmt::print(stderr, "{}\n", picture.error().message);
+    std::exit(1);
+  }
+  return std::move(*picture);
+}
+
+struct Timed {
+  render::Picture picture;
+  double seconds; ///< of the fastest run, acceleration structure and light tree included
+};
+
+Timed timed(const scene::Scene& scene, const render::RenderOptions& options, int runs) {
+  Timed best{rendered(scene, options), 0};
+  best.seconds = best.picture.build_seconds + best.picture.render_seconds;
+  for (int i = 1; i < runs; ++i) {
+    const render::Picture again = rendered(scene, options);
+    best.seconds = std::min(best.seconds, again.build_seconds + again.render_seconds);
+  }
+  return best;
+}
+
+double largest_difference(const image::Image& a, const image::Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.data.size(); ++i)
+    largest = std::max(largest, std::abs(double(a.data[i]) - double(b.data[i])));
+  return largest;
+}
+
+void unshadowed(const char* name, scene::Scene (*make)(int), const std::vector<int>& counts) {
+  fmt::print("{}, 1280x720, 1 sample per pixel, no shadows; error in nits\n"
+             "  {:>6} | {:>8} | {:>8} {:>7} {:>7} {:>6} | {:>9} {:>9}\n",
+             name, "lights", "all, s", "s", "x first", "exact", "far", "error", "bound");
+  double first = 0;
+  for (const int count : counts) {
+    const scene::Scene scene = make(count);
+    render::RenderOptions options;
+    options.samples = 1;
+    options.shadow_samples = 0;
+    const Timed chosen = timed(scene, options, 3);
+    if (first == 0) first = chosen.seconds;
+    options.light_error = 0;
+    const Timed all = timed(scene, options, count > 500 ? 1 : 2);
+    fmt::print("  {:>6} | {:>8.3f} | {:>8.3f} {:>7.2f} {:>7.1f} {:>6.1f} | {:>9.2g} {:>9.2g}\n",
+               count, all.seconds, chosen.seconds, chosen.seconds / first,
+               chosen.picture.lights_per_point, chosen.picture.far_groups_per_point,
+               largest_difference(all.picture.radiance, chosen.picture.radiance),
+               chosen.picture.light_error_nits);
+  }
+}
+
+// A smaller picture: the ratio is what is asked for, and all lights with shadows take minutes.
+void shadowed(const char* name, scene::Scene (*make)(int), const std::vector<int>& counts) {
+  fmt::print("{}, 320x180, 4 samples per pixel, 16 shadow samples\n"
+             "  {:>6} | {:>8} {:>7} {:>7} {:>6}\n",
+             name, "lights", "s", "x first", "exact", "far");
+  double first = 0;
+  for (const int count : counts) {
+    const scene::Scene scene = make(count);
+    render::RenderOptions options;
+    options.width = 320;
+    options.height = 180;
+    options.samples = 4;
+    const Timed chosen = timed(scene, options, 1);
+    if (first == 0) first = chosen.seconds;
+    fmt::print("  {:>6} | {:>8.3f} {:>7.2f} {:>7.1f} {:>6.1f}\n", count, chosen.seconds,
+               chosen.seconds / first, chosen.picture.lights_per_point,
+               chosen.picture.far_groups_per_point);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  std::vector<int> counts;
+  for (int i = 1; i < argc; ++i)
+    if (argv[i][0] != '-') counts.push_back(std::max(std::atoi(argv[i]), 1));
+  if (counts.empty()) counts = {5, 50, 500, 5000};
+  unshadowed("hall", bench::hall, counts);
+  unshadowed("street", bench::street, counts);
+  shadowed("hall", bench::hall, counts);
+  shadowed("street", bench::street, counts);
+}

@@ -1,0 +1,268 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Interval arithmetic over the reflectance equation.
+//
+// With d = y - x from a point x of the batch to a point y of the lights, both in boxes, d lies in a
+// box too. Of it follow the least and the largest distance and, by interval products, how far above
+// the horizon the lights can stand and how far they can be turned to the points:
+//   solid angle          W <= A cos_light / d_min^2
+//   form factor          E <= W cos_surface / pi
+//   share of the lobe    S <= W D_max / share above the horizon.
+// D_max is the largest density of any point's lobe over the directions of that box, in the mirror
+// frame, where a narrow lobe's matrix is well conditioned (see BoundField):
+//   o_x = A x' + aB z',   o_y = y,   o_z = aC x' + aD z',   D ~ o_z / (o_x^2 + o_y^2 + o_z^2)^2.
+// For a given least q of o_x^2 + o_y^2 this is largest at o_z^2 = q/3, or at the end of o_z's range
+// that is nearest to it.
+//
+// The far form takes all lights for one patch in their centre. A small patch of area vector m at d
+// has the form factor f = (n.d)(m.d) / (pi |d|^4), and in cosine space so has the lobe's share,
+// with n = z, M^-1 d instead of d and det M^T m instead of m. In Taylor's series of f around the
+// centre, the term of first order is a sum of m (p - centre)^T, which is all but nil for lights
+// that face the same way, and the remainder is bounded by the largest second derivative on the way,
+// which falls with the fourth power of the least distance.
+
+#include "openltc/render/light_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace openltc::render {
+
+namespace {
+
+constexpr float k_pi = std::numbers::pi_v<float>;
+// By this much unit vectors and their products are widened, for the rounding of the kernel and of
+// the arithmetic here, which is single precision.
+constexpr float k_slack = 4.0e-6f;
+constexpr float k_margin = 1.0001f; // the same for a product of a dozen factors
+
+// Of f(d) = (n.d)(m.d) / |d|^4 for unit n and m, at |d| = 1. Its derivative is linear in m u^T, u
+// the direction of the step, with the matrix d n^T + (n.d) (1 - 4 d d^T), whose squared Frobenius
+// norm is 1 + 5 (n.d)^2. Its second derivative is bilinear in n and m with the matrix 2 u u^T - 8 k
+// (u d^T + d u^T) + (24 k^2 - 4) d d^T, k = d.u, of norm 6 at most, at k = 1.
+const float k_gradient = std::sqrt(6.0f);
+constexpr float k_curvature = 6;
+
+struct Interval {
+  float lower = 0, upper = 0;
+};
+
+Interval operator+(Interval a, Interval b) { return {a.lower + b.lower, a.upper + b.upper}; }
+
+Interval operator*(Interval a, Interval b) {
+  const float p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower,
+              s = a.upper * b.upper;
+  return {std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s))};
+}
+
+/// Least square of a number in the interval.
+float least_square(Interval a) {
+  const float m = std::max(std::max(a.lower, -a.upper), 0.0f);
+  return m * m;
+}
+
+/// Largest absolute value.
+float magnitude(Interval a) { return std::max(std::abs(a.lower), std::abs(a.upper)); }
+
+struct Box {
+  Interval x, y, z;
+};
+
+Interval dot(const Box& a, const Box& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+Interval field(const BatchBounds& b, int i) { return {b.lower[i], b.upper[i]}; }
+Box field3(const BatchBounds& b, int i) { return {field(b, i), field(b, i + 1), field(b, i + 2)}; }
+
+/// Directions from the batch to the lights, not normalised.
+struct Reach {
+  Box d;
+  float inv_nearest, inv_farthest; ///< of the distance
+};
+
+/// Cosine between a unit vector of `axis` and the directions.
+Interval cosine(const Box& axis, const Reach& reach) {
+  const Interval a = dot(axis, reach.d);
+  const float low = a.lower * (a.lower > 0 ? reach.inv_farthest : reach.inv_nearest);
+  const float high = a.upper * (a.upper > 0 ? reach.inv_nearest : reach.inv_farthest);
+  return {std::max(low - k_slack, -1.0f), std::min(high + k_slack, 1.0f)};
+}
+
+/// Four floats, for which compilers have operators.
+using Float4 = float __attribute__((vector_size(16)));
+
+Float4 load4(const float* p) {
+  Float4 v;
+  std::memcpy(&v, p, sizeof(v));
+  return v;
+}
+
+Float4 min4(Float4 a, Float4 b) { return a < b ? a : b; }
+Float4 max4(Float4 a, Float4 b) { return a > b ? a : b; }
+
+/// cosine() of the four directions of a batch at once.
+void cosines(const PreparedBatch& batch, const Reach& reach, Interval* result) {
+  const Interval d[3] = {reach.d.x, reach.d.y, reach.d.z};
+  Float4 low = {0, 0, 0, 0}, high = {0, 0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    const Float4 a = load4(batch.lower[i]), b = load4(batch.upper[i]);
+    const Float4 p = a * d[i].lower, q = a * d[i].upper, r = b * d[i].lower, s = b * d[i].upper;
+    low += min4(min4(p, q), min4(r, s));
+    high += max4(max4(p, q), max4(r, s));
+  }
+  // A positive end is largest over the least distance, a negative one over the largest.
+  low = min4(low * reach.inv_nearest, low * reach.inv_farthest);
+  high = max4(high * reach.inv_nearest, high * reach.inv_farthest);
+  const Float4 one = {1, 1, 1, 1};
+  low = max4(low - k_slack, -one);
+  high = min4(high + k_slack, one);
+  for (int i = 0; i < 4; ++i)
+    result[i] = {low[i], high[i]};
+}
+
+struct LobeBound {
+  float density =
+      0; ///< at least that of any point towards the lights, over its share above the horizon
+  float least_length2 = 0; ///< at most |o|^2 of any of these directions
+  bool above = false;      ///< all of them are above the cosine's horizon
+};
+
+LobeBound bound_lobe(const BatchBounds& batch, Interval x, Interval y, Interval z) {
+  const Interval a = field(batch, k_bound_a), ab = field(batch, k_bound_ab);
+  const Interval oz = field(batch, k_bound_ac) * x + field(batch, k_bound_ad) * z;
+  LobeBound lobe;
+  if (oz.upper <= 0) return lobe;
+
+  float q = least_square(a * x + ab * z) + least_square(y);
+  // Around normal incidence the frames may be turned against one another by any angle. What stays
+  // is the distance from z': |(A x', y)| >= min(|A|, 1) sqrt(1 - z'^2).
+  const float z_largest = magnitude(z);
+  const float least_a = std::min(std::sqrt(least_square(a)), 1.0f);
+  const float radial = least_a * std::sqrt(std::max(1 - z_largest * z_largest, 0.0f)) -
+                       magnitude(ab) * z_largest - k_slack;
+  if (radial > 0) q = std::max(q, radial * radial);
+
+  lobe.above = oz.lower > k_slack;
+  lobe.least_length2 = q + least_square(oz);
+  const float peak = batch.upper[k_bound_peak];
+  const float best = std::clamp(std::sqrt(q * (1.0f / 3)), std::max(oz.lower, 0.0f), oz.upper);
+  const float length2 = q + best * best;
+  lobe.density = peak;
+  if (length2 < 1.0e-12f) return lobe; // as good as nothing is known of o
+  lobe.density = std::min(peak, batch.upper[k_bound_density] * (best / (length2 * length2)));
+  return lobe;
+}
+
+/// At least the distance between two points of the box.
+float spread(const LightExtent& e) { return length(e.upper - e.lower); }
+
+} // namespace
+
+PreparedBatch::PreparedBatch(const BatchBounds& b) : bounds(b) {
+  const int directions[4] = {k_bound_mirror_x, k_bound_mirror_y, k_bound_mirror_z, k_bound_normal};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < 4; ++i) {
+      lower[axis][i] = b.lower[directions[i] + axis];
+      upper[axis][i] = b.upper[directions[i] + axis];
+    }
+}
+
+LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
+  const BatchBounds& batch = prepared.bounds;
+  const LightExtent& extent = light.extent;
+  const FarLight& far = light.far;
+  LightBound bound;
+  const Box position = field3(batch, k_bound_position);
+  Reach reach;
+  reach.d = {{extent.lower.x - position.x.upper, extent.upper.x - position.x.lower},
+             {extent.lower.y - position.y.upper, extent.upper.y - position.y.lower},
+             {extent.lower.z - position.z.upper, extent.upper.z - position.z.lower}};
+  const Box& d = reach.d;
+  const float near2 = std::max(least_square(d.x) + least_square(d.y) + least_square(d.z), 1.0e-12f);
+  const float far_x = magnitude(d.x), far_y = magnitude(d.y), far_z = magnitude(d.z);
+  const float far2 = std::max(far_x * far_x + far_y * far_y + far_z * far_z, 1.0e-12f);
+  const float inv_near2 = 1 / near2;
+  reach.inv_nearest = std::sqrt(inv_near2);
+  reach.inv_farthest = 1 / std::sqrt(far2);
+
+  // Are the lights above any point's horizon, and do they face any?
+  const Box normal = {{extent.normal_lower.x, extent.normal_upper.x},
+                      {extent.normal_lower.y, extent.normal_upper.y},
+                      {extent.normal_lower.z, extent.normal_upper.z}};
+  const Interval cosines_light = cosine(normal, reach);
+  const float cos_light = -cosines_light.lower;
+  if (cos_light <= 0) return bound;
+
+  Interval cosine_to[4];
+  cosines(prepared, reach, cosine_to);
+  const Interval cos_surface = cosine_to[3];
+  if (cos_surface.upper <= 0) return bound;
+  const LobeBound lobe = bound_lobe(batch, cosine_to[0], cosine_to[1], cosine_to[2]);
+  const float density = lobe.density;
+  const float form = cos_light * inv_near2;
+  const float share = std::min(extent.area * form * density, 1.0f);
+
+  // Schlick's weight grows with the angle between the viewer and the light.
+  const float cos_view = cosine(field3(batch, k_bound_view), reach).lower;
+  const float m = 1 - std::sqrt(std::max(0.5f + 0.5f * cos_view, 0.0f));
+  const float axis_weight = share * batch.upper[k_bound_axis_weight];
+  const float weight = std::min(m * m * m * m * m + axis_weight, 1.0f);
+  const float narrow = extent.cosine_power > 0 ? std::pow(cos_light, extent.cosine_power) : 1.0f;
+
+  // The far form stands where every light faces a point or none does. Where a horizon may cut one,
+  // it errs by what is on the other side, (n.d)(m.d) / |d|^4 < |p - centre| / |d|^3 for the diffuse
+  // part; the specular part is cut off there and is left out.
+  const bool far_diffuse = far.valid && (far.planar || cosines_light.upper < 0);
+  const bool cut = cos_surface.lower <= 0;
+  const bool far_specular = far_diffuse && !cut && lobe.above;
+  const float inv_near = reach.inv_nearest, inv_near3 = inv_near * inv_near2;
+  const float inv_near4 = inv_near2 * inv_near2;
+  const float inv_o2 = 1 / std::max(lobe.least_length2, 1.0e-8f);
+  const float inv_o3 = inv_o2 * std::sqrt(inv_o2);
+  // Schlick's weight turns by at most this per radian: 5 (1 - cos h)^4 sin h, h half the angle.
+  const float turned =
+      std::min(2.5f * m * m * m * m * spread(extent) * inv_near, 1.0f) + axis_weight;
+
+  float all = 0, specular_left_out = 0, diffuse_error = 0, specular_error = 0;
+  const auto channel = [&](float radiance, float intensity, float first, float second, int c) {
+    const float flux = std::min(intensity * form, 2 * k_pi * radiance); // radiance, solid angle
+    const float diffuse = batch.upper[k_bound_diffuse + c] *
+                          std::min(flux * cos_surface.upper * (1 / k_pi), radiance);
+    const float grazing = std::max(batch.upper[k_bound_grazing + c], 0.0f);
+    const float fresnel = std::max(batch.upper[k_bound_specular + c] + grazing * weight, 0.0f);
+    const float lobe_light = std::min(flux * density, radiance);
+    all = std::max(all, diffuse + fresnel * lobe_light);
+    specular_left_out = std::max(specular_left_out, fresnel * lobe_light);
+    diffuse_error =
+        std::max(diffuse_error,
+                 batch.upper[k_bound_diffuse + c] * (1 / k_pi) *
+                     ((cut ? std::sqrt(second * intensity) * inv_near3 : 0.0f) +
+                      k_gradient * first * inv_near3 + 0.5f * k_curvature * second * inv_near4));
+    const float change = std::max(grazing, -batch.lower[k_bound_grazing + c]);
+    specular_error =
+        std::max(specular_error,
+                 fresnel * (k_gradient * batch.upper[k_bound_stretch] * first * inv_near3 * inv_o3 +
+                            0.5f * k_curvature * batch.upper[k_bound_stretch2] * second *
+                                inv_near4 * inv_o2 * inv_o2) +
+                     change * turned * lobe_light);
+  };
+  channel(extent.radiance.x, extent.intensity.x, far.first.x, far.second.x, 0);
+  channel(extent.radiance.y, extent.intensity.y, far.first.y, far.second.y, 1);
+  channel(extent.radiance.z, extent.intensity.z, far.first.z, far.second.z, 2);
+
+  const auto limited = [&](float v) {
+    v *= k_margin;
+    return v < k_unbounded ? v : k_unbounded;
+  };
+  bound.all = limited(all * narrow);
+  bound.far_error = k_unbounded;
+  if (!far_diffuse) return bound;
+  bound.far_specular = far_specular && specular_error < specular_left_out;
+  bound.far_error =
+      limited(diffuse_error + (bound.far_specular ? specular_error : specular_left_out));
+  return bound;
+}
+
+} // namespace openltc::render

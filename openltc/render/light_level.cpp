@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/render/light_level.h"
+
+#include "openltc/base/parallel.h"
+#include "openltc/render/point_buffer.h"
+#include "openltc/render/surface_point.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace openltc::render {
+
+namespace {
+
+constexpr int k_packets_across = 2; // of RayPacket::k_size rays each
+constexpr int k_rows = 32;
+constexpr int k_columns = k_packets_across * RayPacket::k_size;
+
+} // namespace
+
+double light_level_nits(const scene::Scene& scene, const TextureSet& textures, const RayScene& rays,
+                        const CameraRays& camera, int width, int height, const Kernel& kernel,
+                        const KernelContext& context, int threads) {
+  KernelContext unshadowed = context;
+  unshadowed.integrator = Integrator::ltc;
+  unshadowed.trace = nullptr;
+
+  std::vector<float> levels(std::size_t(k_rows * k_columns), 0.0f);
+  parallel_for(k_rows, threads, [&](std::int64_t row) {
+    PointBuffer points(k_columns);
+    std::vector<Vec3f> radiance(k_columns, Vec3f(0.0f));
+    for (int first = 0; first < k_columns; first += RayPacket::k_size) {
+      RayPacket packet{};
+      for (int i = 0; i < RayPacket::k_size; ++i) {
+        const CameraRay ray = camera.ray((float(first + i) + 0.5f) / k_columns * float(width),
+                                         (float(row) + 0.5f) / k_rows * float(height));
+        packet.origin[0][i] = ray.origin.x;
+        packet.origin[1][i] = ray.origin.y;
+        packet.origin[2][i] = ray.origin.z;
+        packet.direction[0][i] = ray.direction.x;
+        packet.direction[1][i] = ray.direction.y;
+        packet.direction[2][i] = ray.direction.z;
+        packet.near[i] = ray.near;
+        packet.far[i] = ray.far;
+        packet.active[i] = -1;
+      }
+      const HitPacket hits = rays.intersect(packet);
+      for (int i = 0; i < RayPacket::k_size; ++i) {
+        if (hits.mesh[i] < 0) continue;
+        const SurfacePoint point = evaluate_surface(
+            scene, textures, std::uint32_t(hits.mesh[i]), hits.triangle[i], hits.u[i], hits.v[i],
+            Vec3f(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]),
+            camera.footprint(hits.distance[i]));
+        PointTarget target;
+        target.sample = std::uint32_t(first + i);
+        if (point.lit && point.alpha > 0) points.add(point, target);
+      }
+    }
+    std::vector<float> no_ratio;
+    points.shade(kernel, unshadowed, radiance, no_ratio, 1);
+    for (std::size_t i = 0; i < radiance.size(); ++i)
+      levels[std::size_t(row) * k_columns + i] =
+          std::max({radiance[i].x, radiance[i].y, radiance[i].z});
+  });
+
+  levels.erase(std::remove_if(levels.begin(), levels.end(), [](float v) { return !(v > 0); }),
+               levels.end());
+  if (levels.empty()) return 0;
+  const auto middle = levels.begin() + std::ptrdiff_t(levels.size() / 2);
+  std::nth_element(levels.begin(), middle, levels.end());
+  return double(*middle);
+}
+
+} // namespace openltc::render

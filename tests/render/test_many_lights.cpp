@@ -1,0 +1,368 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// What bounds of lights promise: no point reflects more than its bound, no picture errs more than
+// the error it was allowed.
+
+#include "openltc/light/packed_polygon.h"
+#include "openltc/light/shapes.h"
+#include "openltc/render/light_set.h"
+#include "openltc/render/light_tree.h"
+#include "openltc/render/point_buffer.h"
+#include "openltc/render/renderer.h"
+#include "openltc/table/lobe_table.h"
+#include "openltc/target/shade_f64.h"
+#include "test_scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace openltc;
+
+namespace {
+
+class Random {
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  float operator()(float low, float high) {
+    return low + (high - low) * std::uniform_real_distribution<float>(0, 1)(engine_);
+  }
+  Vec3f in_box(float half) {
+    const float x = (*this)(-half, half), y = (*this)(-half, half);
+    return {x, y, (*this)(-half, half)};
+  }
+  Vec3f direction() {
+    for (;;) {
+      const Vec3f v = in_box(1);
+      const float l = length(v);
+      if (l > 0.05f && l < 1) return v / l;
+    }
+  }
+
+private:
+  std::mt19937 engine_;
+};
+
+light::PolygonLight random_panel(Random& random, Vec3f around, float apart) {
+  const Vec3f n = random.direction();
+  const Vec3f t = normalize(cross(n, std::abs(n.y) < 0.9f ? Vec3f(0, 1, 0) : Vec3f(1, 0, 0)));
+  const float size = std::exp(random(-4, 1));
+  light::PolygonLight light = light::rectangle(around + random.in_box(apart), t * size,
+                                               cross(n, t) * (size * random(0.1f, 1)),
+                                               Vec3f(random(0, 1), 1, random(0, 5)));
+  light.two_sided = random(0, 1) < 0.1f;
+  return light;
+}
+
+/// Surface points as a tile may have them: near each other or not, alike or not.
+std::vector<render::SurfacePoint> random_points(Random& random) {
+  const float apart = std::exp(random(-6, 1.5f)), turned = std::exp(random(-6, 1));
+  const float roughness = random(0, 1), mixed = random(0, 1) < 0.3f ? 0.3f : 0.01f;
+  const Vec3f normal = random.direction();
+  Vec3f view = random.direction();
+  if (dot(view, normal) < 0) view = -view;
+  if (random(0, 1) < 0.2f) view = normalize(normal + random.in_box(0.01f)); // frames of any azimuth
+  const bool metal = random(0, 1) < 0.5f;
+  std::vector<render::SurfacePoint> points(40);
+  for (render::SurfacePoint& p : points) {
+    p.position = random.in_box(apart);
+    p.normal = p.geometric = normalize(normal + random.in_box(turned));
+    p.view = normalize(view + random.in_box(std::min(turned, 0.3f)));
+    if (dot(p.view, p.normal) < 0.01f) p.normal = p.geometric = p.view;
+    p.albedo = metal ? Vec3f(0) : Vec3f(random(0, 1), 0.5f, random(0, 1));
+    p.f0 = metal ? Vec3f(random(0.5f, 1), 0.8f, 0.9f) : Vec3f(0.04f);
+    p.roughness = std::clamp(roughness + random(-mixed, mixed), 0.0f, 1.0f);
+  }
+  return points;
+}
+
+f64::Vec3 wide(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
+
+f64::Surface surface_f64(const render::SurfacePoint& p) {
+  const f64::Vec3 normal = normalize(wide(p.normal)), view = normalize(wide(p.view));
+  const double f90 = double(p.f90);
+  return f64::make_surface(f64::fetch_lobe(table::builtin_ggx_table().view(),
+                                           f64::alpha_from_roughness(double(p.roughness)),
+                                           dot(normal, view)),
+                           wide(p.position), normal, view, wide(p.albedo), wide(p.f0),
+                           {f90, f90, f90}, double(p.roughness));
+}
+
+/// What a point reflects of polygon lights, in double precision.
+f64::Vec3 reflected(const f64::Surface& s, const std::vector<light::PackedPolygon>& lights,
+                    const std::vector<light::PolygonLight>& sources) {
+  f64::Vec3 sum(0.0);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    sum += f64::shade_polygon(s, lights[i].view) * wide(sources[i].radiance);
+  return sum;
+}
+
+/// The far form in double precision, written anew.
+f64::Vec3 far_reflected(const f64::Surface& s, const render::FarLight& far, bool specular) {
+  const f64::Vec3 d = wide(far.center) - s.position, wi = f64::to_shading(s.frame, normalize(d));
+  const double r2 = dot(d, d);
+  const f64::Vec3 flux(std::max(-dot(d, wide(far.moment[0])), 0.0),
+                       std::max(-dot(d, wide(far.moment[1])), 0.0),
+                       std::max(-dot(d, wide(far.moment[2])), 0.0));
+  f64::Vec3 brdf = s.diffuse * f64::eval_lambert(wi);
+  if (specular && wi.z > 0)
+    brdf += (s.f0 + (s.f90 - s.f0) * f64::schlick_weight_between(s.wo, wi)) *
+            (s.fitted.n1 * s.inv_share * f64::eval_lobe(s.fitted.lobe, wi));
+  return brdf * flux * (1 / (r2 * std::sqrt(r2)));
+}
+
+double largest(f64::Vec3 v) { return std::max({v.x, v.y, v.z}); }
+double largest_size(f64::Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+render::BatchBounds measured(const std::vector<render::SurfacePoint>& points) {
+  render::PointBuffer buffer(64);
+  for (const render::SurfacePoint& p : points)
+    buffer.add(p, {});
+  render::KernelContext context;
+  context.table = table::builtin_ggx_table().view();
+  return buffer.measure(render::best_kernel(), context, buffer.all());
+}
+
+double max_difference(const image::Image& a, const image::Image& b) {
+  double d = 0;
+  for (std::size_t i = 0; i < a.data.size(); ++i)
+    d = std::max(d, std::abs(double(a.data[i]) - double(b.data[i])));
+  return d;
+}
+
+scene::Scene room_of_lamps(int count) {
+  scene::Scene scene;
+  test::add_floor(scene, 30, 0, test::glossy_material({0.5f, 0.4f, 0.3f}, 0.2f, false));
+  for (int i = 0; i < 6; ++i)
+    test::add_sphere(scene, {4.0f * float(i) - 10, 1, -4 + 2 * float(i % 3)}, 1,
+                     test::glossy_material({0.8f, 0.7f, 0.6f}, 0.15f * float(i) + 0.05f, i % 2));
+  Random random(3);
+  for (int i = 0; i < count; ++i) {
+    const Vec3f at(random(-28, 28), random(3, 6), random(-28, 28));
+    const Vec3f n = i % 4 ? Vec3f(0, -1, 0) : normalize(random.direction() + Vec3f(0, -0.5f, 0));
+    const Vec3f t = normalize(cross(n, Vec3f(0.3f, 0.2f, 1)));
+    const float size = random(0.05f, 0.3f);
+    scene.lights.polygons.push_back(light::rectangle(
+        at, t * size, cross(n, t) * size, Vec3f(1000, random(300, 1000), random(200, 900))));
+  }
+  scene.cameras.push_back(test::look_at({0, 2.5f, 14}, {0, 0.5f, 0}, 0.8f));
+  return scene;
+}
+
+render::Picture rendered(const scene::Scene& scene, const render::RenderOptions& options) {
+  auto picture = render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options);
+  REQUIRE(picture.ok());
+  return std::move(*picture);
+}
+
+render::RenderOptions small_picture() {
+  render::RenderOptions options;
+  options.width = 96;
+  options.height = 64;
+  options.samples = 2;
+  options.shadow_samples = 0;
+  return options;
+}
+
+} // namespace
+
+TEST_CASE(
+    "no point reflects more of a light, or of a group, than their bound; nor errs the far form") {
+  Random random(1);
+  int informative = 0, far_forms = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const std::vector<render::SurfacePoint> points = random_points(random);
+    const render::BatchBounds bounds = measured(points);
+    const Vec3f around = random.direction() * std::exp(random(-1, 4));
+    const int count = round % 2 ? 1 : 1 + int(random(0, 6));
+    std::vector<light::PolygonLight> lights;
+    std::vector<light::PackedPolygon> packed;
+    std::vector<render::TreeLight> tree_lights;
+    const float apart = std::exp(random(-3, 1));
+    const bool one_sided = random(0, 1) < 0.8f;
+    for (int i = 0; i < count; ++i) {
+      light::PolygonLight light = random_panel(random, around, apart);
+      if (one_sided) light.two_sided = false;
+      lights.push_back(light);
+      packed.push_back(light::pack_polygon(light));
+      tree_lights.push_back(render::tree_light(light));
+    }
+    const render::TreeLight group = render::united(tree_lights);
+    const render::LightBound bound = render::bound_light(render::PreparedBatch(bounds), group);
+    if (bound.all < 0.1f) ++informative;
+    if (bound.far_error < bound.all) ++far_forms;
+    for (std::size_t p = 0; p < points.size(); p += 4) {
+      const f64::Surface s = surface_f64(points[p]);
+      const f64::Vec3 truth = reflected(s, packed, lights);
+      CAPTURE(round);
+      CHECK(largest(truth) <= double(bound.all) + 1e-7);
+      if (bound.far_error < render::k_unbounded)
+        CHECK(largest_size(far_reflected(s, group.far, bound.far_specular) - truth) <=
+              double(bound.far_error) + 1e-7);
+    }
+  }
+  // The bound must also say something.
+  CHECK(informative > 300);
+  CHECK(far_forms > 100);
+}
+
+TEST_CASE("no point reflects more of a light of any shape than its bound") {
+  Random random(2);
+  for (int round = 0; round < 1500; ++round) {
+    light::Lights lights;
+    const Vec3f at = random.direction() * std::exp(random(-1, 3));
+    const Vec3f n = random.direction();
+    const Vec3f t = normalize(cross(n, std::abs(n.y) < 0.9f ? Vec3f(0, 1, 0) : Vec3f(1, 0, 0)));
+    const float size = std::exp(random(-4, 1));
+    const Vec3f radiance(random(0, 1), 1, random(0, 5));
+    const float power = random(0, 1) < 0.5f ? 0 : random(0, 30);
+    if (round % 4 == 0) {
+      light::EllipseLight light;
+      light.center = at;
+      light.half_u = t * size;
+      light.half_v = cross(n, t) * (size * random(0.1f, 1));
+      light.two_sided = random(0, 1) < 0.3f;
+      lights.ellipses = {light};
+    } else if (round % 4 == 1) {
+      light::SphereLight light;
+      light.center = at;
+      light.radius = size;
+      lights.spheres = {light};
+    } else if (round % 4 == 2) {
+      light::TubeLight light;
+      light.from = at;
+      light.to = at + t * random(0.1f, 3);
+      light.radius = 0.3f * size;
+      light.caps = light::TubeCaps(round / 4 % 3);
+      lights.tubes = {light};
+    } else {
+      light::LineLight light;
+      light.from = at;
+      light.to = at + t * random(0.1f, 3);
+      light.intensity_per_metre = radiance;
+      lights.lines = {light};
+    }
+    const auto shine = [&](light::Emitter& light) {
+      light.radiance = radiance;
+      light.cosine_power = power;
+    };
+    for (auto& l : lights.ellipses)
+      shine(l);
+    for (auto& l : lights.spheres)
+      shine(l);
+    for (auto& l : lights.tubes)
+      shine(l);
+    const render::LightSet set = render::pack_lights(lights);
+    REQUIRE(set.area_lights.size() == 1);
+
+    const std::vector<render::SurfacePoint> points = random_points(random);
+    render::PointBuffer buffer(64);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      render::PointTarget target;
+      target.sample = std::uint32_t(i);
+      buffer.add(points[i], target);
+    }
+    render::KernelContext context;
+    context.table = table::builtin_ggx_table().view();
+    context.area_lights = set.area_lights.data();
+    context.area_light_count = 1;
+    std::vector<Vec3f> out(points.size(), Vec3f(0));
+    std::vector<float> no_ratio;
+    const render::BatchBounds bounds = measured(points);
+    buffer.shade(render::best_kernel(), context, out, no_ratio, 1);
+    const float bound =
+        render::bound_light(render::PreparedBatch(bounds), set.tree_lights.front()).all;
+    CAPTURE(round);
+    for (const Vec3f& v : out)
+      CHECK(std::max({v.x, v.y, v.z}) <= bound * 1.001f + 1e-6f);
+  }
+}
+
+TEST_CASE("a light behind all points, or facing away from them, adds nothing for certain") {
+  std::vector<render::SurfacePoint> points(16);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].position = {0.1f * float(i), 0, 0};
+    points[i].normal = points[i].geometric = {0, 1, 0};
+    points[i].view = normalize(Vec3f(0.1f, 1, 0.3f));
+    points[i].albedo = Vec3f(0.5f);
+    points[i].f0 = Vec3f(0.04f);
+  }
+  const auto bound_of = [&](Vec3f center, Vec3f right, Vec3f up) {
+    const render::TreeLight light =
+        render::tree_light(light::rectangle(center, right, up, Vec3f(100)));
+    const render::BatchBounds bounds = measured(points);
+    return render::bound_light(render::PreparedBatch(bounds), light).all;
+  };
+  CHECK(bound_of({0, 3, 0}, {1, 0, 0}, {0, 0, 1}) > 0);  // shines down
+  CHECK(bound_of({0, 3, 0}, {0, 0, 1}, {1, 0, 0}) == 0); // shines up
+  CHECK(bound_of({0, -3, 0}, {0, 0, 1}, {1, 0, 0}) == 0);
+}
+
+TEST_CASE("no pixel of a picture of many lights errs more than was allowed, and fewer are shaded") {
+  const scene::Scene scene = room_of_lamps(150);
+  render::RenderOptions options = small_picture();
+  options.light_error = 0;
+  const render::Picture all = rendered(scene, options);
+  CHECK(all.light_error_nits == 0);
+  CHECK(all.lights_per_point == doctest::Approx(150));
+  double previous = 150;
+  for (const float error : {0.002f, 0.02f, 0.2f}) {
+    options.light_error = error;
+    const render::Picture chosen = rendered(scene, options);
+    CHECK(chosen.light_error_nits > 0);
+    const float brightest = *std::max_element(all.radiance.data.begin(), all.radiance.data.end());
+    CHECK(max_difference(all.radiance, chosen.radiance) <=
+          chosen.light_error_nits + 1e-6 * double(brightest));
+    CHECK(chosen.lights_per_point < 0.8 * previous);
+    previous = chosen.lights_per_point;
+  }
+}
+
+TEST_CASE("with shadows the picture of chosen lights stays near that of all") {
+  const scene::Scene scene = room_of_lamps(60);
+  render::RenderOptions options = small_picture();
+  options.width = 48;
+  options.height = 32;
+  options.samples = 4;
+  options.shadow_samples = 16;
+  options.light_error = 0;
+  const render::Picture all = rendered(scene, options);
+  options.light_error = 0.002f;
+  const render::Picture chosen = rendered(scene, options);
+  double sum = 0, difference = 0;
+  for (std::size_t i = 0; i < all.radiance.data.size(); ++i) {
+    sum += double(all.radiance.data[i]);
+    difference += std::abs(double(all.radiance.data[i]) - double(chosen.radiance.data[i]));
+  }
+  // Shadows of dim lights are sampled together: noise, but little, and no bias.
+  CHECK(difference < 0.02 * sum);
+}
+
+TEST_CASE("chosen lights do not depend on the number of threads, and the reference takes all") {
+  const scene::Scene scene = room_of_lamps(40);
+  render::RenderOptions options = small_picture();
+  options.shadow_samples = 4;
+  options.threads = 1;
+  const render::Picture one = rendered(scene, options);
+  options.threads = 3;
+  CHECK(one.radiance.data == rendered(scene, options).radiance.data);
+
+  options.integrator = render::Integrator::reference;
+  const render::Picture reference = rendered(scene, options);
+  CHECK(reference.lights_per_point == doctest::Approx(40));
+  options.light_error = 0;
+  CHECK(reference.radiance.data == rendered(scene, options).radiance.data);
+}
+
+TEST_CASE("a light error out of range is refused") {
+  const scene::Scene scene = room_of_lamps(1);
+  for (const float wrong : {-0.1f, 1.5f, std::nanf("")}) {
+    render::RenderOptions options = small_picture();
+    options.light_error = wrong;
+    CHECK_FALSE(
+        render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options).ok());
+  }
+}
