@@ -11,6 +11,7 @@ sphere, and one light behind them.
 
 import math
 import os
+import shutil
 import sys
 
 from demo_scene import glb, shapes, stained_glass, turned
@@ -85,6 +86,10 @@ k_shapes = {
     "point": punctual({"type": "point", "intensity_candela": 1300}, (-0.2, 1.2, 0.75), (0, 0, 0)),
     "spot": punctual({"type": "spot", "intensity_candela": 7500, "inner_cone_degrees": 14,
                       "outer_cone_degrees": 22, "range": 8}, (-0.8, 2.2, 1.6), (0.05, 0.1, 0.2)),
+    "luminaire": lambda room: room.node(
+        "luminaire", (0.0, 1.02, -0.62), rotation=[-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)],
+        extras={"openltc_light": {"type": "point", "ies": "lights.ies", "color": k_color,
+                                  "intensity_candela": 2600}}),
     "directional": punctual({"type": "directional", "illuminance_lux": 900}, (-1.5, 2.5, 2.0),
                             (0, 0, 0)),
 }
@@ -120,6 +125,8 @@ def main():
         sys.exit("usage: tools/make_light_shapes.py FOLDER")
     try:
         os.makedirs(sys.argv[1], exist_ok=True)
+        shutil.copy(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "scenes",
+                                 "lights.ies"), sys.argv[1])
         for name, add_light in k_shapes.items():
             with open(os.path.join(sys.argv[1], name + ".glb"), "wb") as stream:
                 stream.write(make(add_light))

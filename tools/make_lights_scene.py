@@ -7,10 +7,11 @@
 
 A showroom of five bays. On the wall, from the left: a disk, an ellipse, a window with a picture, a
 star with a hole, and a rectangle. Before them a sphere, an open tube, a tube with flat ends, a
-capsule and a thin line. Among the props a small bulb (a point) and the pool of a spot with a range;
-overhead a ceiling panel that the camera does not see, and a faint directional light. The floor goes
-from glossy (roughness 0.06, at the left) to satin (0.5). Metres, +Y up, the camera looks along -Z.
-The same bytes on every run.
+capsule and a thin line. Among the props a pendant (a point) and the pool of a spot with a range;
+below the window a luminaire with a photometric file, lights.ies beside the scene; overhead a ceiling
+panel that the camera does not see, and a faint directional light. The floor goes from glossy
+(roughness 0.06, at the left) to satin (0.5). Metres, +Y up, the camera looks along -Z. The same bytes
+on every run.
 
 Each light that has a shape is a mesh for the camera and a light of its own: openltc_light in the
 node's extras, EXT_lights_area, or, for the star and the window, the emissive mesh itself. Luminances
@@ -243,6 +244,11 @@ def add_other_lights(room):
     lights = {"KHR_lights_punctual": {"light": 0}}
     spot = (lamp_x(4) - 0.9, 3.6, 2.1)
     room.node("spot", spot, rotation=facing(spot, (lamp_x(4) + 0.08, 0.25, 0.5)), extensions=lights)
+    washer = (bay(2), 1.655, k_wall_z + 0.20)
+    room.node("luminaire", (washer[0], washer[1] - 0.04, washer[2]),
+              rotation=[-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)], extras={"openltc_light": {
+                  "type": "point", "ies": "lights.ies", "color": k_warm, "intensity_candela": 3200}})
+    room.thing("housing", turned.cylinder(0.07, 0.035, 48), room.brass(), washer, rotation=k_upright)
     sun = (-3.0, 5.0, 6.0)
     room.node("directional", sun, rotation=facing(sun, (0, 0, 0)),
               extensions={"KHR_lights_punctual": {"light": 1}})

@@ -77,6 +77,8 @@ class LightsScene(unittest.TestCase):
         self.assertEqual([l["type"] for l in extensions["KHR_lights_punctual"]["lights"]],
                          ["spot", "directional"])
         self.assertGreater(extensions["KHR_lights_punctual"]["lights"][0]["range"], 0)
+        self.assertTrue(os.path.isfile(os.path.join(
+            os.path.dirname(k_scene), self.extras_light("luminaire")["ies"])))
         # The star and the window are lights by their emissive meshes, the window with a picture.
         emissive = [document["materials"][document["meshes"][self.nodes[name]["mesh"]]
                                           ["primitives"][0]["material"]] for name in ("star", "window")]
