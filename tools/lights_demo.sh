@@ -12,7 +12,7 @@
 #   SIZE=1280x720     SAMPLES=32        SHADOW_SAMPLES=64    the large picture
 #   COMPARE_SIZE=480x270                                     large pictures that are compared
 #   SHAPE_SIZE=300x200                                       small ones
-#   SHAPES="disk sphere"                                     these only, without the large picture
+#   SHAPES="lights disk sphere"                              these only; lights is the large scene
 #   COMPARE_SAMPLES=64   REFERENCE_SAMPLES=512   UNSHADOWED_SAMPLES=1024
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -46,42 +46,42 @@ compare() { # scene name size exposure
   done
   /usr/bin/python3 -c 'import json, sys
 name, shadowed, unshadowed = sys.argv[1], *map(json.loads, sys.argv[2:])
-print("| %-13s | %6.2f %% | %7.4f | %6.2f %% | %7.4f |" % (
+print("| %s | %.2f %% | %.4f | %.2f %% | %.4f |" % (
     name.split("/")[-1].replace("_", " "), 100 * shadowed["mean_relative_error"],
     shadowed["flip"]["mean"], 100 * unshadowed["mean_relative_error"], unshadowed["flip"]["mean"]),
     flush=True)' "$2" "${json[@]}"
 }
 
-shapes="${SHAPES:-}"
-if [[ -z "$shapes" ]]; then
+/usr/bin/python3 -B tools/make_light_shapes.py "$out/shapes"
+all="$(cd "$out/shapes" && echo *.glb)"
+shapes="${SHAPES:-lights ${all//.glb/}}"
+if [[ "$shapes" == *lights* ]]; then
   echo "lights: the picture, ${SIZE:-1280x720}" >&2
   "$tool" render scenes/lights.glb --size "${SIZE:-1280x720}" --samples "${SAMPLES:-32}" \
     --shadow-samples "${SHADOW_SAMPLES:-64}" --exposure 10 --quiet -o "$out/lights.png"
 fi
-/usr/bin/python3 -B tools/make_light_shapes.py "$out/shapes"
 
 echo "lights: LTC against the reference" >&2
-echo "| scene         | error, with shadows | FLIP | error, without | FLIP |"
+echo "| scene | error, with shadows | FLIP | error, without | FLIP |"
 echo "|---|---|---|---|---|"
-if [[ -z "$shapes" ]]; then
-  compare scenes/lights.glb lights_small "$compare_size" 10
-  shapes="$(cd "$out/shapes" && echo *.glb)"
-fi
 for name in $shapes; do
-  name="${name%.glb}"
-  compare "$out/shapes/$name.glb" "shapes/$name" "$shape_size" 9.4
+  if [[ "$name" == lights ]]; then
+    compare scenes/lights.glb lights_small "$compare_size" 10
+  else
+    compare "$out/shapes/$name.glb" "shapes/$name" "$shape_size" 9.4
+  fi
 done
 
 if [[ "${1:-}" == --docs ]]; then
   mkdir -p docs/images/lights
-  if [[ -z "${SHAPES:-}" ]]; then
-    cp "$out/lights.png" docs/images/lights.png
-    cp "$out/lights_small_reference.png" docs/images/lights_reference.png
-  fi
   for name in $shapes; do
-    name="${name%.glb}"
-    [[ "$name" == *_power_* ]] && continue # figures only
-    cp "$out/shapes/$name.png" "$out/shapes/${name}_reference.png" docs/images/lights/
+    case "$name" in
+      lights)
+        cp "$out/lights.png" docs/images/lights.png
+        cp "$out/lights_small_reference.png" docs/images/lights_reference.png ;;
+      *_power_*) ;; # figures only
+      *) cp "$out/shapes/$name.png" docs/images/lights/ ;;
+    esac
   done
 fi
 echo "pictures, references and differences: $out" >&2
