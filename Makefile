@@ -10,7 +10,7 @@ FUZZ_LIGHTS ?= 10000000
 FUZZ_CXX ?= $(firstword $(shell command -v clang++-14 clang++ clang++-19 clang++-18))
 sources = $(shell git ls-files '*.h' '*.cpp')
 
-.PHONY: help setup build demo test bench format sanitize fuzz fuzz-lights clean
+.PHONY: help setup build demo lights test bench format sanitize fuzz fuzz-lights clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -24,6 +24,9 @@ build: setup ## Build the tool and the tests: build/release/bin/openltc
 
 demo: build ## Render the demo scene by LTC and by reference, and compare the two
 	@OPENLTC=build/release/bin/openltc tools/demo.sh
+
+lights: build ## Render every shape of light by LTC and by reference, and compare
+	@tools/lights_demo.sh
 
 test: build ## Run all tests
 	@tools/test.sh release

@@ -16,27 +16,13 @@ where only the rims would mirror them. Every visible light is a few times as bri
 here, no more: brighter ones would lose their colour and their smooth edges in the tone map.
 """
 
-import argparse
 import math
-import os
-import sys
 
-from demo_scene import glb, parquet, shapes
+from demo_scene import glb, parquet, parts, shapes
+from demo_scene.parts import add_mesh, facing
 
 k_sphere_count = 7
 k_plank_width_m = 0.13
-
-
-def add_mesh(file, name, shape, material, tangents=None, tex_coords=None):
-    positions, normals, triangles = shape
-    attributes = {"POSITION": file.vectors(positions, "VEC3"),
-                  "NORMAL": file.vectors(normals, "VEC3")}
-    if tangents:
-        attributes["TANGENT"] = file.vectors(tangents, "VEC4")
-    if tex_coords:
-        attributes["TEXCOORD_0"] = file.vectors(tex_coords, "VEC2")
-    return file.add("meshes", {"name": name, "primitives": [
-        {"attributes": attributes, "indices": file.indices(triangles), "material": material}]})
 
 
 def add_floor(file):
@@ -108,15 +94,6 @@ def add_spheres(file):
             + add_sphere_row(file, attributes, "lacquer", dielectric, 0, 0.385, 0.92, 0.95))
 
 
-def facing(position, target):
-    """The rotation (x, y, z, w) that turns local -Z from position to target, without roll."""
-    forward = shapes.normalize([t - p for p, t in zip(position, target)])
-    yaw = math.atan2(-forward[0], -forward[2])
-    pitch = math.asin(forward[1])
-    cy, sy, cp, sp = math.cos(yaw / 2), math.sin(yaw / 2), math.cos(pitch / 2), math.sin(pitch / 2)
-    return [cy * sp, sy * cp, -sy * sp, cy * cp]
-
-
 def add_emitter(file, name, shape, color, luminance_nits, position, target):
     """An emissive mesh that shines towards target."""
     material = file.add("materials", {
@@ -180,20 +157,5 @@ def make():
     return file.to_bytes()
 
 
-def main():
-    root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    parser = argparse.ArgumentParser(description="Makes the demo scene.")
-    parser.add_argument("-o", "--output", default=os.path.join(root, "scenes", "demo.glb"))
-    output = parser.parse_args().output
-    data = make()
-    try:
-        with open(output + ".part", "wb") as stream:
-            stream.write(data)
-        os.replace(output + ".part", output)
-    except OSError as error:
-        sys.exit("%s: cannot be written: %s" % (output, error.strerror))
-    print("%s: %.2f MB" % (output, len(data) / 1e6))
-
-
 if __name__ == "__main__":
-    main()
+    parts.main(make, "Makes the demo scene.", "demo.glb")
