@@ -217,6 +217,27 @@ FN Real tube_area(Tube tube) {
   return side + Real(2.0) * k_pi * tube.radius * tube.radius * tube.caps;
 }
 
+/// Mean of the emission cos^power over what one sees of a tube from afar, by projected area; `toward`
+/// is the unit direction to it. side_mean: that of its side seen at a right angle to the axis.
+///
+/// With g the angle to the axis, the side shows 2 r l sin g, its cosines sin g times those at a right
+/// angle; a round end pi r^2 of a sphere, whose mean is 2 / (power + 2); a flat one pi r^2 cos g at
+/// the cosine cos g.
+FN Real tube_emission(Tube tube, Vec3 toward, Real power, Real side_mean) {
+  Vec3 axis = tube.to - tube.from;
+  Real length2 = max(dot(axis, axis), Real(k_tiny));
+  Real cos_axis = min(abs(dot(axis, toward)) * inversesqrt(length2), Real(1.0));
+  Real sin_axis = sqrt(max(Real(1.0) - cos_axis * cos_axis, Real(0.0)));
+  Real side = Real(2.0) * sqrt(length2) * sin_axis;
+  Mask round = tube.caps > Real(1.5);
+  Mask closed = tube.caps > Real(0.5);
+  Real end = select(closed, k_pi * tube.radius * select(round, Real(1.0), cos_axis), Real(0.0));
+  Real end_mean =
+      select(round, Real(2.0) / (power + Real(2.0)), cosine_emission(cos_axis, power));
+  Real sum = side * side_mean * cosine_emission(sin_axis, power) + end * end_mean;
+  return sum / max(side + end, Real(k_tiny));
+}
+
 FN Mask inside_tube(Tube tube, Vec3 position) {
   Vec3 d = position - tube.from;
   Vec3 axis = tube.to - tube.from;
