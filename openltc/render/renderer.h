@@ -36,7 +36,7 @@ struct RenderOptions {
   /// without shadow and in any channel, may be from that of all lights shaded one by one, as a
   /// fraction of the light level of the view (see light_level.h). So much may be left out or taken
   /// from lights in groups. 0 = every light shades every point.
-  float light_error = 0.002f;
+  float light_error = 0.003f;
   PunctualForm punctual_form = PunctualForm::exact;
   Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
   std::uint32_t seed = 0;

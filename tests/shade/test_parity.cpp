@@ -242,6 +242,7 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"intersect_tube", 5e-3},
       {"sample_tube", 3e-5},
       {"sample_line", 1e-5},
+      {"tube_emission", 5e-4},
       {"sample_ellipse", 1e-5},
       {"sample_sphere", 1e-5},
       // rays that graze the light's plane
