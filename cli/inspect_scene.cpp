@@ -7,7 +7,9 @@
 #include "cli/inspect.h"
 #include "openltc/image/tonemap.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ies.h"
 #include "openltc/light/polygon.h"
+#include "openltc/light/units.h"
 #include "openltc/scene/gltf.h"
 
 #include <fmt/format.h>
@@ -214,18 +216,16 @@ void describe_punctual(const light::PunctualLight& light, Description& out, bool
     json["intensity_candela"] = strength;
     text = fmt::format("{:.4g} cd", strength);
   }
-  if (light.type == light::PunctualType::point) {
-    const double lumens = 4 * std::numbers::pi * strength;
+  if (light.type != light::PunctualType::directional) {
+    const double lumens = light::flux_per_intensity(light) * strength;
     json["flux_lumens"] = lumens;
     text += fmt::format(", {:.4g} lm", lumens);
   }
+  if (light.profile) {
+    json["profile"] = light.profile->name;
+    text += fmt::format(", profile \"{}\"", light.profile->name);
+  }
   if (light.type == light::PunctualType::spot) {
-    // Full inside the inner cone, the square of a ramp in the cosine between the two.
-    const double lumens =
-        2 * std::numbers::pi * strength *
-        ((1 - double(light.cos_inner)) + (double(light.cos_inner) - double(light.cos_outer)) / 3);
-    json["flux_lumens"] = lumens;
-    text += fmt::format(", {:.4g} lm", lumens);
     const double inner = degrees(std::acos(std::clamp(double(light.cos_inner), -1.0, 1.0)));
     const double outer = degrees(std::acos(std::clamp(double(light.cos_outer), -1.0, 1.0)));
     json["inner_cone_degrees"] = inner;
