@@ -44,7 +44,8 @@ TEST_CASE("in double every shape's integral is exact") {
     }
     MESSAGE(std::string(testing::shape_name(shape)), ": largest difference ", worst, " in case ",
             where);
-    // The fits of angles are good to 1e-9. A point within 2e-6 of a polygon's plane gets nothing.
+    // The fits of angles are good to 1e-9. A point in a polygon's plane, to
+    // k_plane_tolerance, gets nothing.
     CHECK(worst < (testing::is_polygon(shape) ? 1e-4 : 1e-6));
   }
 }
