@@ -28,12 +28,13 @@ struct SoftBox {
   double radiance;
 };
 
-// A large key from above on the left, a weaker fill, and one behind that lights the edge. Distances
+// A large key from above on the left, weaker fills from the right and from below, and one behind
+// that lights the edge. Distances
 // in half heights of the window; radiance so that a white card facing the key is nearly white.
-constexpr SoftBox k_soft_boxes[] = {{-3.0, 4.0, 4.0, 3.0, 1.55},
-                                    {5.0, 0.5, 3.5, 3.0, 0.55},
-                                    {2.5, 3.0, -4.5, 2.5, 1.2},
-                                    {-1.0, -5.0, 1.5, 3.0, 0.35}};
+constexpr SoftBox k_soft_boxes[] = {{-3.0, 4.0, 4.0, 3.0, 2.6},
+                                    {5.0, 0.5, 3.5, 3.0, 1.5},
+                                    {2.5, 3.0, -4.5, 2.5, 1.6},
+                                    {-1.0, -5.0, 1.5, 3.0, 1.2}};
 
 light::Lights lights_of(const View& view) {
   light::Lights lights;

@@ -26,7 +26,7 @@ struct Solid {
 
 struct SolidPictureOptions {
   int width = 256; ///< pixels; height follows from the window's sides
-  int samples = 16;
+  int samples = 8;
   int threads = 0; ///< 0 = all cores; the picture does not depend on it
 };
 
