@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace openltc::plot {
@@ -20,7 +21,10 @@ namespace {
 // surface, and so are seen from the front.
 constexpr double k_azimuth_degrees = -120, k_elevation_degrees = 32;
 constexpr double k_sphere_radius = 47, k_sphere_margin = 1.04;
-constexpr double k_lobe_unit = 58, k_lobe_length = 1.3; // of the peak, world units
+constexpr double k_lobe_unit = 58;
+// The longest that a lobe is drawn, and the farthest that it reaches to the right or left, world
+// units.
+constexpr double k_lobe_length = 1.3, k_lobe_reach = 1.08;
 constexpr int k_sphere_pixels = 208, k_lobe_pixels = 256;
 
 // Whether the solid lobe is in front of a point, or around it: a march towards the viewer.
@@ -32,6 +36,20 @@ bool lobe_hides(const View& view, const f64::Lobe& lobe, double scale, Vec3d poi
     if (!(r > 1e-9) || r < f64::eval_lobe(lobe, at / r) / scale) return true;
   }
   return false;
+}
+
+// How long the lobe's peak is drawn: wide lobes are shorter.
+double fitting_length(const View& view, const f64::Lobe& lobe, double peak) {
+  constexpr int k_rings = 60, k_spokes = 48;
+  double reach = 0; // in peaks
+  for (int i = 0; i <= k_rings; ++i)
+    for (int j = 0; j < k_spokes; ++j) {
+      const double t = 0.5 * f64::k_pi * i / k_rings, p = 2 * f64::k_pi * j / k_spokes;
+      const Vec3d o(std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t));
+      const Vec3d w = normalize(f64::from_cosine(lobe, o));
+      reach = std::max(reach, std::abs(dot(view.right, w)) * f64::eval_lobe(lobe, w) / peak);
+    }
+  return std::min(k_lobe_length, k_lobe_reach / std::max(reach, 1e-3));
 }
 
 Status draw_sphere(Sketch& sketch, Vec2d center, const f64::Lobe& lobe, const LobeFacts& facts) {
@@ -59,7 +77,8 @@ Status draw_lobe(Sketch& sketch, Vec2d origin, const LobeMatrix& matrix, const f
   constexpr double k_raised = 0.36;
   space.view.center = space.view.up * k_raised;
   space.center.y -= k_raised * k_lobe_unit;
-  const double scale = facts.peak / k_lobe_length;
+  const double drawn_length = fitting_length(space.view, lobe, facts.peak);
+  const double scale = facts.peak / drawn_length;
   const auto is_visible = [&](Vec3d p) { return !lobe_hides(space.view, lobe, scale, p); };
   const std::vector<Vec3d> horizon = circle({0, 0, 1});
 
@@ -82,7 +101,7 @@ Status draw_lobe(Sketch& sketch, Vec2d origin, const LobeMatrix& matrix, const f
   for (int axis = 0; axis < 3; ++axis)
     longest = std::max(longest, length(column(matrix, axis)));
   for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d tip = column(matrix, axis) * (k_lobe_length / longest);
+    const Vec3d tip = column(matrix, axis) * (drawn_length / longest);
     draw_arrow(sketch, space, {0, 0, 0}, tip, is_visible, {k_axis_inks[axis], 1.8},
                {k_axis_inks[axis], 1.2, "1.5 2", 0.85});
     const Vec2d at = place(space, tip), start = place(space, {0, 0, 0});
