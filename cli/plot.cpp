@@ -1,84 +1,86 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
+//
+// openltc plot: figures of lobes, fits, polygons and errors.
 
 #include "cli/plot.h"
 
 #include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/output_place.h"
-#include "openltc/base/atomic_file.h"
+#include "openltc/plot/output.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace openltc::cli {
 
-namespace {
-
-int fail(const std::string& figure, const Error& error, int code) {
-  fmt::print(stderr, "openltc plot {}: {}\n", figure, error.message);
-  return code;
-}
-
-Status check_files(const std::vector<std::string>& files) {
-  std::set<std::filesystem::path> seen;
-  for (const std::string& file : files) {
-    if (std::filesystem::path(file).extension() != ".svg")
-      return Error{file + ": a figure is written as .svg"};
-    if (Status status = check_place(file); !status) return status;
-    std::error_code ec;
-    if (!seen.insert(std::filesystem::weakly_canonical(file, ec)).second)
-      return Error{file + ": would be written twice; give each -o a name of its own"};
-  }
-  return Success{};
-}
-
-} // namespace
-
-void add_plot_output(CLI::App& command, PlotOutput& output, const std::string& figure) {
-  command.add_option("-o,--output", output.files,
-                     fmt::format("Picture to write, .svg; repeatable [{}.svg]", figure));
+CLI::App* add_figure(CLI::App& plot, const std::string& what, const std::string& description,
+                     PlotOutput& output) {
+  output.what = what;
+  CLI::App* command = plot.add_subcommand(what, description);
+  command
+      ->add_option("-o,--output", output.paths,
+                   fmt::format("File to write, .svg or .png. May be repeated [{}.svg]", what))
+      ->allow_extra_args(false);
   const Choices<plot::Theme> themes = {
       {"auto", plot::Theme::automatic}, {"light", plot::Theme::light}, {"dark", plot::Theme::dark}};
   command
-      .add_option("--background", output.theme,
-                  "Page the figure stands on; auto follows the reader [auto]")
+      ->add_option("--background", output.theme,
+                   "Colours of the page: auto, in .svg those that the reader's browser prefers, in "
+                   ".png light [auto]")
       ->transform(one_of(themes))
       ->type_name(words_of(themes));
-  command.add_flag("--quiet", output.quiet, "No messages");
+  command->add_option("--scale", output.scale, "Pixels of a .png to a unit of the figure")
+      ->check(CLI::Range(0.25, 8.0))
+      ->capture_default_str();
+  command->add_flag("--quiet", output.quiet, "No progress and messages on stderr");
+  return command;
 }
 
-int run_plot(const std::string& figure, const PlotOutput& output,
-             const std::function<Result<plot::Sketch>()>& make) {
-  const std::vector<std::string> files =
-      output.files.empty() ? std::vector<std::string>{figure + ".svg"} : output.files;
-  if (Status status = check_files(files); !status)
-    return fail(figure, status.error(), k_exit_failed);
-  const Result<plot::Sketch> sketch = make();
-  if (!sketch) {
-    const bool usage = sketch.error().message.rfind("--", 0) == 0;
-    return fail(figure, sketch.error(), usage ? k_exit_usage : k_exit_failed);
+int fail_plot(const PlotOutput& output, const Error& error) {
+  fmt::print(stderr, "openltc plot {}: {}\n", output.what, error.message);
+  return k_exit_failed;
+}
+
+int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure>()>& make) {
+  std::vector<std::string> paths = output.paths;
+  if (paths.empty()) paths.push_back(output.what + ".svg");
+  std::set<std::string> distinct;
+  for (const std::string& path : paths) {
+    if (Status ok = plot::check_extension(path); !ok) {
+      fail_plot(output, ok.error());
+      return k_exit_usage;
+    }
+    if (Status ok = check_place(path); !ok) return fail_plot(output, ok.error());
+    if (!distinct.insert(path).second)
+      return fail_plot(output, Error{fmt::format("{}: named twice", path)});
   }
-  for (const std::string& file : files) {
-    const Status written = write_atomically(file, [&](const std::string& temporary) -> Status {
-      std::ofstream stream(temporary, std::ios::binary);
-      stream << to_svg(*sketch, output.theme);
-      stream.close();
-      if (!stream) return Error{file + ": cannot write; is the disk full?"};
-      return Success{};
-    });
-    if (!written) return fail(figure, written.error(), k_exit_failed);
-    if (!output.quiet) fmt::print(stderr, "wrote {}\n", file);
+  const Result<plot::Figure> figure = make();
+  if (!figure) {
+    const int failed = fail_plot(output, figure.error());
+    // What names an option first is wrong usage.
+    return figure.error().message.rfind("--", 0) == 0 ? k_exit_usage : failed;
+  }
+  for (const std::string& path : paths) {
+    if (Status ok = plot::write_figure(path, *figure, output.theme, output.scale); !ok)
+      return fail_plot(output, ok.error());
+    if (!output.quiet) fmt::print(stderr, "wrote {}\n", path);
   }
   return k_exit_ok;
 }
 
 void add_plot(CLI::App& app, int& exit_code) {
-  CLI::App* plot = app.add_subcommand("plot", "Draw the figures that explain the method");
+  CLI::App* plot =
+      app.add_subcommand("plot", "Draw figures: lobes, fits, polygons, errors, one point light");
+  plot->footer("Every figure is written as .svg or .png; openltc plot WHAT --help says what it "
+               "shows.\n"
+               "\n"
+               "Examples:\n"
+               "  openltc plot lobes                       lobes.svg, here\n"
+               "  openltc plot error --against ltc_1.dds -o error.png --background dark");
   plot->require_subcommand(1);
   add_plot_lobes(*plot, exit_code);
   add_plot_polygon(*plot, exit_code);

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// openltc plot: the figures, one file per figure.
+// What all figures of openltc plot have in common: where they go, and how the job runs.
 
 #pragma once
 
-#include "openltc/base/result.h"
-#include "openltc/plot/sketch.h"
+#include "openltc/plot/figure.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,22 +15,28 @@
 
 namespace openltc::cli {
 
-/// Where a figure goes, the same for all.
 struct PlotOutput {
-  std::vector<std::string> files; ///< none = FIGURE.svg in the current folder
+  std::string what; ///< the figure's name: "lobes"; without -o it goes to lobes.svg
+  std::vector<std::string> paths;
   plot::Theme theme = plot::Theme::automatic;
+  double scale = 2; ///< pixels of a .png to a unit of the figure
   bool quiet = false;
 };
 
-/// Adds -o, --background and --quiet.
-void add_plot_output(CLI::App& command, PlotOutput& output, const std::string& figure);
+/// A sub-command of openltc plot with the options of every figure. `output` must outlive it.
+CLI::App* add_figure(CLI::App& plot, const std::string& what, const std::string& description,
+                     PlotOutput& output);
 
-/// Checks the files, draws, writes and reports; the exit code. `make` returns the figure; an error
-/// that begins with an option, "--", is wrong usage.
-int run_plot(const std::string& figure, const PlotOutput& output,
-             const std::function<Result<plot::Sketch>()>& make);
+/// Checks the outputs, makes the figure and writes it, all files or none begun; returns the exit
+/// code. `make` reports its own progress, if not quiet; an error of its that begins with the name
+/// of an option, "--", is wrong usage.
+int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure>()>& make);
 
+/// Each of these adds one figure, in a file of its own.
 void add_plot_lobes(CLI::App& plot, int& exit_code);
 void add_plot_polygon(CLI::App& plot, int& exit_code);
+
+/// "openltc plot WHAT: message" on stderr; the exit code for a job that failed.
+int fail_plot(const PlotOutput& output, const Error& error);
 
 } // namespace openltc::cli

@@ -83,7 +83,7 @@ Result<std::vector<plot::LobeRow>> rows_of(const LobesArguments& arguments) {
   return rows;
 }
 
-Result<plot::Sketch> make_figure(const LobesArguments& arguments) {
+Result<plot::Figure> make_figure(const LobesArguments& arguments) {
   Result<std::vector<plot::LobeRow>> rows = rows_of(arguments);
   if (!rows) return rows.error();
   if (!arguments.brdf.empty()) {
@@ -101,8 +101,8 @@ Result<plot::Sketch> make_figure(const LobesArguments& arguments) {
 void add_plot_lobes(CLI::App& plot, int& exit_code) {
   auto arguments = std::make_shared<LobesArguments>();
   LobesArguments& a = *arguments;
-  CLI::App* command =
-      plot.add_subcommand("lobes", "What a matrix makes of a clamped cosine: spheres and solids");
+  CLI::App* command = add_figure(
+      plot, "lobes", "What a matrix makes of a clamped cosine: spheres and solids", a.output);
   command->footer(
       "A lobe is the density D of the directions M o, o being distributed as the cosine; M =\n"
       "[[a,0,b],[0,c,0],[d,0,1]], with c > 0 and a > b d. Each is drawn twice: the sphere of\n"
@@ -137,9 +137,8 @@ void add_plot_lobes(CLI::App& plot, int& exit_code) {
   command->add_option("--roughness", a.roughness, "Roughnesses of --brdf [0.5]")
       ->check(CLI::Range(0.0, 1.0))
       ->needs(brdf);
-  add_plot_output(*command, a.output, "lobes");
   command->callback([arguments, &exit_code] {
-    exit_code = run_plot("lobes", arguments->output, [&] { return make_figure(*arguments); });
+    exit_code = run_figure(arguments->output, [&] { return make_figure(*arguments); });
   });
 }
 

@@ -75,8 +75,8 @@ Result<plot::PolygonOptions> options_of(const PolygonArguments& arguments) {
 void add_plot_polygon(CLI::App& plot, int& exit_code) {
   auto arguments = std::make_shared<PolygonArguments>();
   PolygonArguments& a = *arguments;
-  CLI::App* command = plot.add_subcommand(
-      "polygon", "A polygon under the lobe, and carried by M^-1 under the cosine");
+  CLI::App* command = add_figure(
+      plot, "polygon", "A polygon under the lobe, and carried by M^-1 under the cosine", a.output);
   command->footer(
       "The integral of the lobe D over a polygon P is that of the cosine over M^-1 P. Both spaces\n"
       "are drawn, with the horizons that cut the polygon, both integrals, one by quadrature and "
@@ -113,9 +113,8 @@ void add_plot_polygon(CLI::App& plot, int& exit_code) {
       ->check(CLI::Range(1, plot::k_most_samples))
       ->capture_default_str();
   command->add_option("--seed", a.sampling.seed, "Of the samples")->capture_default_str();
-  add_plot_output(*command, a.output, "polygon");
   command->callback([arguments, &exit_code] {
-    exit_code = run_plot("polygon", arguments->output, [&]() -> Result<plot::Sketch> {
+    exit_code = run_figure(arguments->output, [&]() -> Result<plot::Figure> {
       const Result<plot::PolygonOptions> options = options_of(*arguments);
       if (!options) return options.error();
       return plot::make_polygon_figure(*options);

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/base/result.h"
 #include "openltc/image/image.h"
 
 #include <array>
@@ -23,5 +24,8 @@ struct PaletteImage {
 /// 4 channels, display-encoded, to at most `colors` colours (2..256), chosen for the picture. What
 /// is wholly transparent is one of them; no dithering.
 PaletteImage reduce_colors(const Image& display, int colors = 256);
+
+/// The bytes of a PNG file with that palette: one byte a pixel before compression.
+Result<std::vector<std::uint8_t>> encode_png(const PaletteImage& picture);
 
 } // namespace openltc::image

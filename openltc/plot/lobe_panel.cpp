@@ -25,7 +25,7 @@ constexpr double k_lobe_unit = 58;
 // The longest that a lobe is drawn, and the farthest that it reaches to the right or left, world
 // units.
 constexpr double k_lobe_length = 1.3, k_lobe_reach = 1.08;
-constexpr int k_sphere_pixels = 208, k_lobe_pixels = 256;
+constexpr int k_sphere_pixels = 208, k_lobe_pixels = 240;
 
 // Whether the solid lobe is in front of a point, or around it: a march towards the viewer.
 bool lobe_hides(const View& view, const f64::Lobe& lobe, double scale, Vec3d point) {
@@ -52,7 +52,7 @@ double fitting_length(const View& view, const f64::Lobe& lobe, double peak) {
   return std::min(k_lobe_length, k_lobe_reach / std::max(reach, 1e-3));
 }
 
-Status draw_sphere(Sketch& sketch, Vec2d center, const f64::Lobe& lobe, const LobeFacts& facts) {
+Status draw_sphere(Figure& figure, Vec2d center, const f64::Lobe& lobe, const LobeFacts& facts) {
   const Space space{
       view_from(k_azimuth_degrees, k_elevation_degrees, k_sphere_margin, k_sphere_margin), center,
       k_sphere_radius};
@@ -60,17 +60,17 @@ Status draw_sphere(Sketch& sketch, Vec2d center, const f64::Lobe& lobe, const Lo
       sphere_mesh(lobe,
                   [&](Vec3d w) { return density_color(f64::eval_lobe(lobe, w) / facts.peak); }),
       Finish::plain};
-  if (Status status = draw_solids(sketch, space, {&sphere, 1}, k_sphere_pixels, true); !status)
+  if (Status status = draw_solids(figure, space, {&sphere, 1}, k_sphere_pixels, true); !status)
     return status;
   const auto is_visible = [&](Vec3d p) { return !sphere_hides(space.view, 1, p); };
-  draw_line(sketch, space, circle({0, 0, 1}), is_visible, {Ink::white, 0.9, "", 0.8},
-            {Ink::none, 0, "", 0});
-  draw_arrow(sketch, space, facts.mean_direction, facts.mean_direction * 1.42, is_visible,
-             {Ink::ink, 1.5}, {Ink::ink, 0.9, "1.5 2", 0.55});
+  draw_line(figure, space, circle({0, 0, 1}), is_visible, {"#ffffff", 0.9, "", 0.8},
+            {"none", 0, "", 0});
+  draw_arrow(figure, space, facts.mean_direction, facts.mean_direction * 1.42, is_visible,
+             {"ink", 1.5}, {"ink", 0.9, "1.5 2", 0.55});
   return Success{};
 }
 
-Status draw_lobe(Sketch& sketch, Vec2d origin, const LobeMatrix& matrix, const f64::Lobe& lobe,
+Status draw_lobe(Figure& figure, Vec2d origin, const LobeMatrix& matrix, const f64::Lobe& lobe,
                  const LobeFacts& facts, bool label_axes) {
   Space space{view_from(k_azimuth_degrees, k_elevation_degrees, 1.34, 0.92), origin, k_lobe_unit};
   // The horizon lies in the lower part of the window.
@@ -82,36 +82,36 @@ Status draw_lobe(Sketch& sketch, Vec2d origin, const LobeMatrix& matrix, const f
   const auto is_visible = [&](Vec3d p) { return !lobe_hides(space.view, lobe, scale, p); };
   const std::vector<Vec3d> horizon = circle({0, 0, 1});
 
-  draw_area(sketch, space, horizon, {Ink::rule, 0.4});
+  draw_area(figure, space, horizon, filled("rule", 0.4));
   for (const Vec3d axis : {Vec3d(1, 0, 0), Vec3d(0, 1, 0)})
-    draw_line(sketch, space, std::array{-axis, axis}, [](Vec3d) { return true; },
-              {Ink::soft, 0.5, "", 0.45}, {});
+    draw_line(figure, space, std::array{-axis, axis}, [](Vec3d) { return true; },
+              {"soft", 0.5, "", 0.45}, {});
 
   const Solid solid{
       lobe_mesh(lobe, scale,
                 [&](Vec3d w) { return density_color(f64::eval_lobe(lobe, w) / facts.peak); }),
       Finish::lit};
-  if (Status status = draw_solids(sketch, space, {&solid, 1}, k_lobe_pixels, false); !status)
+  if (Status status = draw_solids(figure, space, {&solid, 1}, k_lobe_pixels, false); !status)
     return status;
 
-  draw_line(sketch, space, horizon, is_visible, {Ink::soft, 0.8, "", 0.9},
-            {Ink::soft, 0.7, "1.5 2.5", 0.5});
+  draw_line(figure, space, horizon, is_visible, {"soft", 0.8, "", 0.9},
+            {"soft", 0.7, "1.5 2.5", 0.5});
   // M is known up to a scale: the longest column is as long as the lobe.
   double longest = 0;
   for (int axis = 0; axis < 3; ++axis)
     longest = std::max(longest, length(column(matrix, axis)));
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d tip = column(matrix, axis) * (drawn_length / longest);
-    draw_arrow(sketch, space, {0, 0, 0}, tip, is_visible, {k_axis_inks[axis], 1.8},
+    draw_arrow(figure, space, {0, 0, 0}, tip, is_visible, {k_axis_inks[axis], 1.8},
                {k_axis_inks[axis], 1.2, "1.5 2", 0.85});
     const Vec2d at = place(space, tip), start = place(space, {0, 0, 0});
     const Vec2d way = at - start;
     const double l = std::hypot(way.x, way.y);
     if (!label_axes || l < 12) continue;
     const Vec2d label = at + way * (13 / l);
-    const char* const names[3] = {"M x", "M y", "M z"};
-    draw_text(sketch, label.x, label.y + 3.5, names[axis],
-              {10.5, k_axis_inks[axis], Anchor::middle});
+    const char* const names[3] = {"*M* x", "*M* y", "*M* z"};
+    draw_text(figure, label + Vec2d(0, 3.5), names[axis],
+              {10.5, Anchor::middle, k_axis_inks[axis], false, false, 0, true});
   }
   return Success{};
 }
@@ -123,12 +123,12 @@ Vec3f density_color(double share) {
   return {image::linear_from_srgb(c.x), image::linear_from_srgb(c.y), image::linear_from_srgb(c.z)};
 }
 
-Status draw_lobe_panel(Sketch& sketch, Vec2d corner, const LobeMatrix& matrix,
+Status draw_lobe_panel(Figure& figure, Vec2d corner, const LobeMatrix& matrix,
                        const LobeFacts& facts, bool label_axes) {
   const f64::Lobe lobe = lobe_of_matrix(matrix);
-  if (Status status = draw_sphere(sketch, corner + Vec2d(50, 74), lobe, facts); !status)
+  if (Status status = draw_sphere(figure, corner + Vec2d(50, 74), lobe, facts); !status)
     return status;
-  return draw_lobe(sketch, corner + Vec2d(170, 96), matrix, lobe, facts, label_axes);
+  return draw_lobe(figure, corner + Vec2d(170, 96), matrix, lobe, facts, label_axes);
 }
 
 } // namespace openltc::plot

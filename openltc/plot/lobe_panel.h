@@ -15,11 +15,11 @@ namespace openltc::plot {
 inline constexpr double k_lobe_panel_width = 234, k_lobe_panel_height = 146;
 
 /// Draws the panel with its upper left corner at `corner`. `label_axes`: names at the arrows.
-Status draw_lobe_panel(Sketch& sketch, Vec2d corner, const LobeMatrix& matrix,
+Status draw_lobe_panel(Figure& figure, Vec2d corner, const LobeMatrix& matrix,
                        const LobeFacts& facts, bool label_axes);
 
 /// Inks of the arrows M x, M y, M z.
-inline constexpr Ink k_axis_inks[3] = {Ink::orange, Ink::pink, Ink::blue};
+inline constexpr const char* k_axis_inks[3] = {"series1", "series3", "series0"};
 
 /// Linear colour of a share of the peak's density, for the meshes of solids.
 Vec3f density_color(double share);

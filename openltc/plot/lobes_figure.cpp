@@ -3,7 +3,7 @@
 
 #include "openltc/plot/lobes_figure.h"
 
-#include "openltc/plot/key_signs.h"
+#include "openltc/plot/axes.h"
 #include "openltc/plot/lobe_panel.h"
 
 #include <fmt/format.h>
@@ -16,10 +16,10 @@ namespace openltc::plot {
 namespace {
 
 constexpr std::size_t k_columns = 4;
-constexpr double k_left = 24, k_title_height = 48, k_row_head = 20, k_line = 14.5;
+constexpr double k_top = 10, k_row_head = 20, k_line = 14.5;
 constexpr double k_note_indent = 132; // behind the title of a row
-constexpr double k_width = 2 * k_left + double(k_columns) * k_lobe_panel_width - 4;
-constexpr double k_key_height = 150, k_caption_height = 44;
+constexpr double k_width = double(k_columns) * k_lobe_panel_width - 4;
+constexpr double k_key_height = 150;
 
 double text_lines(const LobeRow& row) {
   const bool noted = std::any_of(row.cells.begin(), row.cells.end(),
@@ -36,19 +36,19 @@ std::size_t lines_of(const LobeRow& row) { return (row.cells.size() + k_columns 
 // Where there is room beside the first lobe the key stands there.
 bool key_fits_beside(const std::vector<LobeRow>& rows) { return rows.front().cells.size() == 1; }
 
-Status draw_cell(Sketch& sketch, Vec2d corner, const LobeCell& cell, bool label_axes) {
+Status draw_cell(Figure& figure, Vec2d corner, const LobeCell& cell, bool label_axes) {
   if (Status status = check_matrix(cell.matrix, cell.caption); !status) return status;
   const LobeFacts facts = lobe_facts(lobe_of_matrix(cell.matrix));
   if (!(std::abs(facts.integral - 1) < 5e-7))
     return Error{fmt::format("{}: the density integrates to {:.9f} instead of 1", cell.caption,
                              facts.integral)};
-  if (Status status = draw_lobe_panel(sketch, corner, cell.matrix, facts, label_axes); !status)
+  if (Status status = draw_lobe_panel(figure, corner, cell.matrix, facts, label_axes); !status)
     return status;
   const double x = corner.x + 108;
   double y = corner.y + k_lobe_panel_height + 10;
   const auto print = [&](const std::string& text, bool head) {
-    draw_text(sketch, x, y, text,
-              {head ? 12.5 : 10.5, head ? Ink::ink : Ink::soft, Anchor::middle});
+    draw_text(figure, {x, y}, text,
+              {head ? 12.5 : 10.5, Anchor::middle, head ? "ink" : "soft", false, false, 0, true});
     y += k_line;
   };
   print(cell.caption, true);
@@ -60,34 +60,45 @@ Status draw_cell(Sketch& sketch, Vec2d corner, const LobeCell& cell, bool label_
   return Success{};
 }
 
-Status draw_key(Sketch& sketch, double x, double y) {
+const Type k_note = {11, Anchor::start, "soft", false, false, 0, true};
+
+void draw_line_sign(Figure& figure, Vec2d at, const Pen& pen, const std::string& text) {
+  draw_line(figure, {at.x, at.y - 4}, {at.x + 24, at.y - 4}, pen);
+  draw_text(figure, {at.x + 31, at.y}, text, k_note);
+}
+
+Status draw_key(Figure& figure, Vec2d at) {
+  const double x = at.x, y = at.y;
   draw_text(
-      sketch, x, y,
+      figure, at,
       "*D*(ω) = *D*_{o}(o / ‖o‖) |det *M*⁻¹| / ‖o‖³,   o = *M*⁻¹ω,   *D*_{o}(ω) = max(0, z) / π",
-      {13});
+      {13, Anchor::start, "ink", false, false, 0, true});
   draw_text(
-      sketch, x, y + 21,
+      figure, {x, y + 21},
       "Left: the sphere of directions, coloured by *D*. Right: the lobe, at the distance *D*(ω) "
       "from the origin.",
-      {11, Ink::soft});
-  draw_text(sketch, x, y + 36, "Both are relative to the lobe's own peak.", {11, Ink::soft});
-  Status bar = draw_density_bar(sketch, {x, y + 54}, 230,
-                                {{0, "0"}, {0.25, "0.25"}, {0.5, "0.5"}, {0.75, "0.75"}, {1, "1"}},
-                                "*D* / peak");
-  if (!bar) return bar;
+      k_note);
+  draw_text(figure, {x, y + 36}, "Both are relative to the lobe's own peak.", k_note);
+  const Axis shares{
+      "", 0, 1, false, {{0, "0"}, {0.25, "0.25"}, {0.5, "0.5"}, {0.75, "0.75"}, {1, "1"}}};
+  if (Status status =
+          draw_color_bar(figure, {x, y + 54}, {230, 9}, image::Colormap::viridis, shares);
+      !status)
+    return status;
+  draw_text(figure, {x + 244, y + 63}, "*D* / peak", k_note);
   const double first = y + 104, second = y + 123;
-  draw_line_sign(sketch, {x, first}, {k_axis_inks[0], 1.8}, "*M* x");
-  draw_line_sign(sketch, {x + 74, first}, {k_axis_inks[1], 1.8}, "*M* y");
-  draw_line_sign(sketch, {x + 148, first}, {k_axis_inks[2], 1.8},
+  draw_line_sign(figure, {x, first}, {k_axis_inks[0], 1.8}, "*M* x");
+  draw_line_sign(figure, {x + 74, first}, {k_axis_inks[1], 1.8}, "*M* y");
+  draw_line_sign(figure, {x + 148, first}, {k_axis_inks[2], 1.8},
                  "*M* z: the columns of *M*, to one scale; dashed inside the lobe");
-  draw_line_sign(sketch, {x, second}, {Ink::ink, 1.5}, "mean direction of *D*");
-  draw_line_sign(sketch, {x + 186, second}, {Ink::soft, 0.9}, "the surface's horizon, z = 0");
+  draw_line_sign(figure, {x, second}, {"ink", 1.5}, "mean direction of *D*");
+  draw_line_sign(figure, {x + 186, second}, {"soft", 0.9}, "the surface's horizon, z = 0");
   return Success{};
 }
 
 } // namespace
 
-Result<Sketch> make_lobes_figure(const LobesOptions& options) {
+Result<Figure> make_lobes_figure(const LobesOptions& options) {
   std::vector<LobeRow> rows = options.rows;
   if (rows.empty())
     for (const StandardRow row :
@@ -103,37 +114,39 @@ Result<Sketch> make_lobes_figure(const LobesOptions& options) {
         fmt::format("{} lobes are too many for a figure; {} at most", count, k_most_lobes)};
 
   const bool beside = key_fits_beside(rows);
-  double height = k_title_height + k_caption_height + (beside ? 0 : k_key_height);
+  Figure figure;
+  figure.title = "Lobes that a matrix M makes of a clamped cosine";
+  figure.caption =
+      "Linearly transformed cosines for M = [[a, 0, b], [0, c, 0], [d, 0, 1]]; ∫ D dω over the "
+      "sphere by quadrature.\n" +
+      options.command;
+  figure.width = k_width;
+  figure.height = k_top + (beside ? 0 : k_key_height);
   for (const LobeRow& row : rows)
-    height += k_row_head + double(lines_of(row)) * line_height(row);
+    figure.height += k_row_head + double(lines_of(row)) * line_height(row);
 
-  Sketch sketch{k_width, height, ""};
-  draw_text(sketch, k_left, 30, "Lobes that a matrix *M* makes of a clamped cosine",
-            {17, Ink::ink, Anchor::start, true});
-  double y = k_title_height;
+  double y = k_top;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const LobeRow& row = rows[r];
     const std::string head =
         rows.size() > 1 ? fmt::format("({}) {}", char('a' + r), row.title) : row.title;
-    draw_text(sketch, k_left, y + 12, head, {14, Ink::ink, Anchor::start, true});
-    draw_text(sketch, k_left + k_note_indent, y + 12, row.note, {12, Ink::soft});
+    draw_text(figure, {0, y + 12}, head, {14, Anchor::start, "ink", true});
+    draw_text(figure, {k_note_indent, y + 12}, row.note, {12, Anchor::start, "soft"});
     y += k_row_head;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const Vec2d corner(k_left + double(i % k_columns) * k_lobe_panel_width,
+      const Vec2d corner(double(i % k_columns) * k_lobe_panel_width,
                          y + double(i / k_columns) * line_height(row));
-      if (Status status = draw_cell(sketch, corner, row.cells[i], r == 0 && i == 0); !status)
+      if (Status status = draw_cell(figure, corner, row.cells[i], r == 0 && i == 0); !status)
         return status.error();
     }
     if (r == 0 && beside)
-      if (Status status = draw_key(sketch, k_left + k_lobe_panel_width + 52, y + 30); !status)
+      if (Status status = draw_key(figure, {k_lobe_panel_width + 52, y + 30}); !status)
         return status.error();
     y += double(lines_of(row)) * line_height(row);
   }
   if (!beside)
-    if (Status status = draw_key(sketch, k_left, y + 14); !status) return status.error();
-  draw_text(sketch, k_left, height - 18, options.command,
-            {11, Ink::soft, Anchor::start, false, true});
-  return sketch;
+    if (Status status = draw_key(figure, {0, y + 14}); !status) return status.error();
+  return figure;
 }
 
 } // namespace openltc::plot

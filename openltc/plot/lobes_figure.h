@@ -7,8 +7,8 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/plot/figure.h"
 #include "openltc/plot/lobe_rows.h"
-#include "openltc/plot/sketch.h"
 
 #include <string>
 #include <vector>
@@ -26,6 +26,6 @@ inline constexpr std::size_t k_most_lobes = 64; ///< in all rows together
 /// Draws each lobe twice, as a sphere of directions and as a solid, relative to its own peak, with
 /// det M, the peak and the integral of D, by quadrature, below. Fails for a row without lobes, for
 /// too many, for a matrix that makes no lobe, and when an integral is not 1 to six digits.
-Result<Sketch> make_lobes_figure(const LobesOptions& options);
+Result<Figure> make_lobes_figure(const LobesOptions& options);
 
 } // namespace openltc::plot

@@ -3,7 +3,7 @@
 
 #include "openltc/plot/polygon_figure.h"
 
-#include "openltc/plot/key_signs.h"
+#include "openltc/plot/axes.h"
 #include "openltc/plot/lobe_rows.h"
 #include "openltc/plot/polygon_panel.h"
 
@@ -18,24 +18,24 @@ namespace openltc::plot {
 
 namespace {
 
-constexpr double k_width = 940, k_height = 660, k_radius = 165, k_middle = 284;
-constexpr double k_left_center = 226, k_right_center = 714;
+constexpr double k_width = 904, k_height = 580, k_radius = 165, k_middle = 236;
+constexpr double k_left_center = 208, k_right_center = 696;
 
-void draw_heads(Sketch& sketch, const std::string& lobe_name) {
-  draw_text(sketch, 24, 30,
-            "The integral over *P* under the lobe is that over *M*⁻¹*P* under the cosine",
-            {17, Ink::ink, Anchor::start, true});
-  draw_text(sketch, 24, 50, lobe_name, {12.5, Ink::soft});
-  const TextStyle head{13.5, Ink::ink, Anchor::middle, true};
-  draw_text(sketch, k_left_center, 80, "shading space: *D* over *P*", head);
-  draw_text(sketch, k_right_center, 80, "cosine space: *D*_{o} over *M*⁻¹*P*", head);
+Type marked(double size, Anchor anchor, const char* color, bool bold = false) {
+  return {size, anchor, color, bold, false, 0, true};
+}
+
+void draw_heads(Figure& figure, const std::string& lobe_name) {
+  draw_text(figure, {0, 9}, lobe_name, {12.5, Anchor::start, "soft"});
+  const Type head = marked(13.5, Anchor::middle, "ink", true);
+  draw_text(figure, {k_left_center, 32}, "shading space: *D* over *P*", head);
+  draw_text(figure, {k_right_center, 32}, "cosine space: *D*_{o} over *M*⁻¹*P*", head);
   const double x = 0.5 * (k_left_center + k_right_center);
-  draw_path(sketch, std::array{Vec2d(x - 27, k_middle), Vec2d(x + 20, k_middle)}, {Ink::ink, 1.6});
-  draw_shape(sketch,
-             std::array{Vec2d(x + 29, k_middle), Vec2d(x + 18, k_middle - 4.5),
-                        Vec2d(x + 18, k_middle + 4.5)},
-             {Ink::ink});
-  draw_text(sketch, x, k_middle - 10, "*M*⁻¹", {15, Ink::ink, Anchor::middle});
+  draw_line(figure, {x - 27, k_middle}, {x + 20, k_middle}, {"ink", 1.6});
+  const std::array arrow_head = {Vec2d(x + 29, k_middle), Vec2d(x + 18, k_middle - 4.5),
+                                 Vec2d(x + 18, k_middle + 4.5)};
+  draw_path(figure, arrow_head, filled("ink"), true);
+  draw_text(figure, {x, k_middle - 10}, "*M*⁻¹", marked(15, Anchor::middle, "ink"));
 }
 
 struct Results {
@@ -46,40 +46,55 @@ struct Results {
   const char* method;
 };
 
-Status draw_results(Sketch& sketch, const PolygonSpace& space, const Results& r) {
+Status draw_results(Figure& figure, const PolygonSpace& space, const Results& r) {
   constexpr double k_bar = 200;
   const double y = k_middle + k_radius + 26;
-  Status bar = draw_density_bar(
-      sketch, {r.x - 0.5 * k_bar, y}, k_bar,
-      {{0, "0"}, {0.5, number_text(0.5 * r.peak)}, {1, number_text(r.peak)}}, r.density);
-  if (!bar) return bar;
-  draw_text(sketch, r.x, y + 56, fmt::format("{} = {:.7f}", r.integral, space.integral),
-            {17, Ink::ink, Anchor::middle});
-  const TextStyle note{12, Ink::soft, Anchor::middle};
-  draw_text(sketch, r.x, y + 77, r.method, note);
+  const Axis densities{
+      "",
+      0,
+      r.peak,
+      false,
+      {{0, "0"}, {0.5 * r.peak, number_text(0.5 * r.peak)}, {r.peak, number_text(r.peak)}}};
+  if (Status status = draw_color_bar(figure, {r.x - 0.5 * k_bar, y}, {k_bar, 9},
+                                     image::Colormap::viridis, densities);
+      !status)
+    return status;
+  draw_text(figure, {r.x + 0.5 * k_bar + 14, y + 9}, r.density, marked(11, Anchor::start, "soft"));
+  draw_text(figure, {r.x, y + 56}, fmt::format("{} = {:.7f}", r.integral, space.integral),
+            marked(17, Anchor::middle, "ink"));
+  const Type note = marked(12, Anchor::middle, "soft");
+  draw_text(figure, {r.x, y + 77}, r.method, note);
   const double count = double(space.samples.size());
   const double deviation = std::sqrt(space.integral * (1 - space.integral) / count);
-  draw_text(sketch, r.x, y + 96,
+  draw_text(figure, {r.x, y + 96},
             fmt::format("{} of {} samples inside: {:.3f} ± {:.3f}", space.inside_count,
                         space.samples.size(), space.inside_count / count, deviation),
             note);
   return Success{};
 }
 
-void draw_key(Sketch& sketch, double y) {
-  draw_line_sign(sketch, {30, y}, {Ink::ink, 1.3}, "surface's horizon");
-  draw_line_sign(sketch, {182, y}, {Ink::ink, 1.3, "8 3 1.5 3"}, "cosine's horizon");
-  draw_line_sign(sketch, {330, y}, {Ink::black, 3.8, "", 0.6}, "*P*, clipped to both");
-  draw_path(sketch, std::array{Vec2d(330, y - 4), Vec2d(354, y - 4)}, {Ink::white, 2.3});
-  const std::array swatch = {Vec2d(500, y - 10), Vec2d(524, y - 10), Vec2d(524, y + 2),
-                             Vec2d(500, y + 2)};
-  draw_shape(sketch, swatch, {Ink::soft, 1, true});
-  draw_path(sketch, swatch, {Ink::ink, 1.2, "5 3", 0.9}, true);
-  draw_sign_text(sketch, {500, y}, "what is cut off");
-  draw_sample_sign(sketch, {658, y - 4}, true);
-  draw_sign_text(sketch, {638, y}, "sample inside");
-  draw_sample_sign(sketch, {792, y - 4}, false);
-  draw_sign_text(sketch, {772, y}, "sample outside");
+void draw_key(Figure& figure, double y) {
+  const auto explain = [&](double x, const char* text) {
+    draw_text(figure, {x + 31, y}, text, marked(11, Anchor::start, "soft"));
+  };
+  const auto line = [&](double x, const Pen& pen) {
+    draw_line(figure, {x, y - 4}, {x + 24, y - 4}, pen);
+  };
+  line(12, {"ink", 1.3});
+  explain(12, "surface's horizon");
+  line(164, {"ink", 1.3, "8 3 1.5 3"});
+  explain(164, "cosine's horizon");
+  line(312, {"#000000", 3.8, "", 0.6});
+  line(312, {"#ffffff", 2.3});
+  explain(312, "*P*, clipped to both");
+  Pen cut_off{"ink", 1.2, "5 3"};
+  cut_off.fill = k_hatch;
+  draw_rectangle(figure, {482, y - 10}, {24, 12}, cut_off);
+  explain(482, "what is cut off");
+  draw_sample_sign(figure, {640, y - 4}, true);
+  explain(620, "sample inside");
+  draw_sample_sign(figure, {774, y - 4}, false);
+  explain(754, "sample outside");
 }
 
 } // namespace
@@ -109,7 +124,7 @@ Result<std::vector<Vec3d>> parse_points(const std::string& text) {
   return corners;
 }
 
-Result<Sketch> make_polygon_figure(const PolygonOptions& options) {
+Result<Figure> make_polygon_figure(const PolygonOptions& options) {
   if (options.sampling.samples < 1 || options.sampling.samples > k_most_samples)
     return Error{
         fmt::format("--samples {}: must be 1 to {}", options.sampling.samples, k_most_samples)};
@@ -124,8 +139,16 @@ Result<Sketch> make_polygon_figure(const PolygonOptions& options) {
     return Error{"a sample lies on the polygon's edge; take another --seed"};
   const LobeFacts facts = lobe_facts(options.lobe);
 
-  Sketch sketch{k_width, k_height, ""};
-  draw_heads(sketch, options.lobe_name);
+  Figure figure;
+  figure.title = "The integral over P under the lobe is that over M⁻¹P under the cosine";
+  figure.caption = "Spheres of directions from outside. Samples of the lobe are carried "
+                   "along by M⁻¹, "
+                   "those behind the sphere are counted but not drawn.\n" +
+                   options.command;
+  figure.width = k_width;
+  figure.height = k_height;
+  define_hatch(figure);
+  draw_heads(figure, options.lobe_name);
   const Vec3d up(0, 0, 1);
   PolygonPanel shading{
       spaces->shading, options.lobe, facts.peak, up, spaces->horizon_normal_shading, {}};
@@ -141,14 +164,12 @@ Result<Sketch> make_polygon_figure(const PolygonOptions& options) {
   const Results right{k_right_center, f64::k_inv_pi, "*D*_{o}, sr⁻¹", "∫_{*M*⁻¹*P*} *D*_{o} dω",
                       "by Lambert's edge sum, in closed form"};
   for (const Status& status :
-       {draw_polygon_panel(sketch, view, {k_left_center, k_middle}, k_radius, shading),
-        draw_polygon_panel(sketch, view, {k_right_center, k_middle}, k_radius, cosine),
-        draw_results(sketch, spaces->shading, left), draw_results(sketch, spaces->cosine, right)})
+       {draw_polygon_panel(figure, view, {k_left_center, k_middle}, k_radius, shading),
+        draw_polygon_panel(figure, view, {k_right_center, k_middle}, k_radius, cosine),
+        draw_results(figure, spaces->shading, left), draw_results(figure, spaces->cosine, right)})
     if (!status) return status.error();
-  draw_key(sketch, k_middle + k_radius + 164);
-  draw_text(sketch, 24, k_height - 16, options.command,
-            {11, Ink::soft, Anchor::start, false, true});
-  return sketch;
+  draw_key(figure, k_middle + k_radius + 164);
+  return figure;
 }
 
 } // namespace openltc::plot

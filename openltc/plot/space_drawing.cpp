@@ -56,7 +56,7 @@ Vec2d place(const Space& space, Vec3d point) {
           space.center.y - p.y * space.view.half_height * space.unit};
 }
 
-Status draw_solids(Sketch& sketch, const Space& space, std::span<const Solid> solids, int pixels,
+Status draw_solids(Figure& figure, const Space& space, std::span<const Solid> solids, int pixels,
                    bool few_colors) {
   SolidPictureOptions options;
   options.width = pixels;
@@ -64,24 +64,28 @@ Status draw_solids(Sketch& sketch, const Space& space, std::span<const Solid> so
   if (!picture) return picture.error();
   const double half_width = space.view.half_width * space.unit;
   const double half_height = half_width * picture->height / picture->width;
-  return draw_picture(sketch, {space.center.x - half_width, space.center.y - half_height},
-                      {2 * half_width, 2 * half_height}, *picture, few_colors);
+  const Vec2d corner(space.center.x - half_width, space.center.y - half_height);
+  const Vec2d size(2 * half_width, 2 * half_height);
+  return few_colors ? draw_picture(figure, corner, size, image::reduce_colors(*picture))
+                    : draw_picture(figure, corner, size, *picture);
 }
 
-void draw_line(Sketch& sketch, const Space& space, std::span<const Vec3d> points,
+void draw_line(Figure& figure, const Space& space, std::span<const Vec3d> points,
                const Visibility& is_visible, const Pen& seen, const Pen& hidden) {
   for (const Stroke& stroke : cut_by_visibility(points, is_visible)) {
     const Pen& style = stroke.visible ? seen : hidden;
-    if (style.opacity > 0) draw_path(sketch, places(space, stroke.points), style);
+    if (style.opacity > 0) draw_path(figure, places(space, stroke.points), style);
   }
 }
 
-void draw_area(Sketch& sketch, const Space& space, std::span<const Vec3d> outline,
-               const Fill& fill) {
-  draw_shape(sketch, places(space, outline), fill);
+Pen filled(const std::string& color, double opacity) { return {"none", 0, "", 1, color, opacity}; }
+
+void draw_area(Figure& figure, const Space& space, std::span<const Vec3d> outline,
+               const Pen& style) {
+  draw_path(figure, places(space, outline), style, true);
 }
 
-void draw_arrow(Sketch& sketch, const Space& space, Vec3d from, Vec3d to,
+void draw_arrow(Figure& figure, const Space& space, Vec3d from, Vec3d to,
                 const Visibility& is_visible, const Pen& seen, const Pen& hidden) {
   const Vec2d start = place(space, from), tip = place(space, to);
   const Vec2d way = tip - start;
@@ -90,13 +94,13 @@ void draw_arrow(Sketch& sketch, const Space& space, Vec3d from, Vec3d to,
   const Vec2d along = way * (1 / l), across(-along.y, along.x);
   const double head = std::min(3.2 + 2 * seen.width, 0.6 * l);
   // The line ends within the head, so that it does not blunt the tip.
-  draw_line(sketch, space, segment(from, from + (to - from) * (1 - 0.5 * head / l)), is_visible,
+  draw_line(figure, space, segment(from, from + (to - from) * (1 - 0.5 * head / l)), is_visible,
             seen, hidden);
   const Vec2d back = tip - along * head;
   const std::vector<Vec2d> triangle = {tip, back + across * (0.42 * head),
                                        back - across * (0.42 * head)};
   const Pen& style = is_visible(to) ? seen : hidden;
-  draw_shape(sketch, triangle, {style.color, style.opacity});
+  draw_path(figure, triangle, filled(style.color, style.opacity), true);
 }
 
 } // namespace openltc::plot

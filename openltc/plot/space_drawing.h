@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "openltc/plot/sketch.h"
+#include "openltc/plot/figure.h"
 #include "openltc/plot/solid_picture.h"
 #include "openltc/plot/view.h"
 
@@ -27,19 +27,23 @@ Vec2d place(const Space& space, Vec3d point);
 /// Whether a point is seen or behind something.
 using Visibility = std::function<bool(Vec3d)>;
 
-/// A picture of solids in the space's window. few_colors: see draw_picture.
-Status draw_solids(Sketch& sketch, const Space& space, std::span<const Solid> solids, int pixels,
+/// A picture of solids in the space's window. `few_colors` takes a quarter of the bytes; colours
+/// that vary in more than one way then show steps.
+Status draw_solids(Figure& figure, const Space& space, std::span<const Solid> solids, int pixels,
                    bool few_colors);
 
 /// A line, of fine steps where what is in front of it is; hidden parts in a style of their own.
-void draw_line(Sketch& sketch, const Space& space, std::span<const Vec3d> points,
+void draw_line(Figure& figure, const Space& space, std::span<const Vec3d> points,
                const Visibility& is_visible, const Pen& seen, const Pen& hidden);
 
-void draw_area(Sketch& sketch, const Space& space, std::span<const Vec3d> outline,
-               const Fill& fill);
+void draw_area(Figure& figure, const Space& space, std::span<const Vec3d> outline,
+               const Pen& style);
+
+/// An area without outline.
+Pen filled(const std::string& color, double opacity = 1);
 
 /// A straight arrow; its head is fainter where the tip is hidden.
-void draw_arrow(Sketch& sketch, const Space& space, Vec3d from, Vec3d to,
+void draw_arrow(Figure& figure, const Space& space, Vec3d from, Vec3d to,
                 const Visibility& is_visible, const Pen& seen, const Pen& hidden);
 
 } // namespace openltc::plot
