@@ -8,11 +8,13 @@
 #include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/output_place.h"
+#include "openltc/brdf/choose.h"
 #include "openltc/plot/output.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <set>
 
 namespace openltc::cli {
@@ -70,6 +72,12 @@ int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure
     if (!output.quiet) fmt::print(stderr, "wrote {}\n", path);
   }
   return k_exit_ok;
+}
+
+Result<brdf::Brdf> brdf_of_option(const std::string& name_or_path) {
+  Result<brdf::Brdf> brdf = brdf::choose_brdf(name_or_path);
+  if (brdf || std::filesystem::path(name_or_path).extension() == ".binary") return brdf;
+  return Error{"--brdf: " + brdf.error().message};
 }
 
 void add_plot(CLI::App& app, int& exit_code) {

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/brdf/brdf.h"
 #include "openltc/plot/figure.h"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +32,9 @@ CLI::App* add_figure(CLI::App& plot, const std::string& what, const std::string&
 /// code. `make` reports its own progress, if not quiet; an error of its that begins with the name
 /// of an option, "--", is wrong usage.
 int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure>()>& make);
+
+/// The BRDF that --brdf names. An unknown name is wrong usage, a file that cannot be read is not.
+Result<brdf::Brdf> brdf_of_option(const std::string& name_or_path);
 
 /// Each of these adds one figure, in a file of its own.
 void add_plot_lobes(CLI::App& plot, int& exit_code);

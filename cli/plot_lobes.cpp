@@ -6,7 +6,6 @@
 #include "cli/choice.h"
 #include "cli/fit_job.h"
 #include "cli/plot.h"
-#include "openltc/brdf/choose.h"
 #include "openltc/plot/lobes_figure.h"
 
 #include <fmt/format.h>
@@ -87,8 +86,8 @@ Result<plot::Figure> make_figure(const LobesArguments& arguments) {
   Result<std::vector<plot::LobeRow>> rows = rows_of(arguments);
   if (!rows) return rows.error();
   if (!arguments.brdf.empty()) {
-    const Result<brdf::Brdf> brdf = brdf::choose_brdf(arguments.brdf);
-    if (!brdf) return Error{"--brdf " + arguments.brdf + ": " + brdf.error().message};
+    const Result<brdf::Brdf> brdf = brdf_of_option(arguments.brdf);
+    if (!brdf) return brdf.error();
     Result<plot::LobeRow> row = plot::fitted_row(*brdf, arguments.theta, arguments.roughness);
     if (!row) return row.error();
     rows->push_back(std::move(*row));

@@ -5,7 +5,6 @@
 
 #include "cli/fit_job.h"
 #include "cli/plot.h"
-#include "openltc/brdf/choose.h"
 #include "openltc/plot/lobe_rows.h"
 #include "openltc/plot/polygon_figure.h"
 
@@ -59,8 +58,8 @@ Result<plot::PolygonOptions> options_of(const PolygonArguments& arguments) {
     options.lobe_name = plot::entries_text(*matrix);
     return options;
   }
-  const Result<brdf::Brdf> brdf = brdf::choose_brdf(arguments.brdf);
-  if (!brdf) return Error{"--brdf " + arguments.brdf + ": " + brdf.error().message};
+  const Result<brdf::Brdf> brdf = brdf_of_option(arguments.brdf);
+  if (!brdf) return brdf.error();
   const Result<f64::Lobe> lobe = plot::fitted_lobe(*brdf, arguments.theta, arguments.roughness);
   if (!lobe) return lobe.error();
   options.lobe = *lobe;

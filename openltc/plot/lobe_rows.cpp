@@ -69,8 +69,8 @@ struct LobeTables {
     const table::LobeTable& table = is_builtin ? table::builtin_ggx_table() : fitted;
     const double cos_theta = std::max(std::cos(theta_degrees * f64::k_pi / 180), 0.0);
     const f64::Lobe lobe = fit::lobes_of(table)(roughness, cos_theta).lobe;
-    const std::string name =
-        fmt::format("{} at --theta {:.4g} --roughness {:.4g}", brdf.name, theta_degrees, roughness);
+    const std::string name = fmt::format("--brdf {} --theta {:.4g} --roughness {:.4g}", brdf.name,
+                                         theta_degrees, roughness);
     const Result<LobeMatrix> matrix = matrix_of_lobe(lobe);
     if (!matrix) return Error{name + ": " + matrix.error().message};
     if (!check_matrix(*matrix, name))
@@ -91,22 +91,22 @@ Result<LobeTables> lobe_tables(const brdf::Brdf& brdf) {
 LobeRow standard_row(StandardRow row) {
   switch (row) {
   case StandardRow::cosine:
-    return {"cosine", "M = 1", {{{}, "a = c = 1, b = d = 0", ""}}};
+    return {"cosine", "M is the identity", {{{}, "a = c = 1, b = d = 0", ""}}};
   case StandardRow::roughness: {
     constexpr double k_scales[] = {0.8, 0.5, 0.3, 0.15};
     std::vector<Vec2d> scales;
     for (const double s : k_scales)
       scales.push_back({s, s});
-    return diagonal_row("roughness", "an isotropic scale: a = c, b = d = 0", scales);
+    return diagonal_row("roughness", "an isotropic scale, a = c; b = d = 0", scales);
   }
   case StandardRow::anisotropy: {
     const Vec2d scales[] = {{0.6, 0.4}, {0.6, 0.25}, {0.6, 0.15}, {0.6, 0.08}};
-    return diagonal_row("anisotropy", "different scales along x and y: a, c; b = d = 0", scales);
+    return diagonal_row("anisotropy", "different scales along x and y, a and c; b = d = 0", scales);
   }
   case StandardRow::skew:
     break;
   }
-  LobeRow skew{"skew", "z is taken aside: b; a = c = 0.5, d = 0", {}};
+  LobeRow skew{"skew", "M z leans by b; a = c = 0.5, d = 0", {}};
   for (const double b : {-0.3, -0.6, -1.0, -1.6})
     skew.cells.push_back({{0.5, b, 0.5, 0}, "b = " + number_text(b), ""});
   return skew;

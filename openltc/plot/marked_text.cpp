@@ -35,8 +35,8 @@ std::string marked_text(std::string_view text, double size) {
       text.remove_prefix(1);
       continue;
     }
-    if (text.substr(0, 2) == "_{") {
-      const std::size_t end = text.find('}');
+    const std::size_t end = text.find('}');
+    if (text.substr(0, 2) == "_{" && end != std::string_view::npos) {
       result += fmt::format("<tspan dy=\"{}\" font-size=\"{:.3g}\">{}</tspan>", drop, 0.72 * size,
                             marked_text(text.substr(2, end - 2), 0.72 * size));
       text.remove_prefix(end + 1);

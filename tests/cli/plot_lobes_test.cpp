@@ -81,6 +81,7 @@ TEST_CASE("plot_lobes_and_polygon_name_what_is_wrong_and_draw_nothing") {
       {{"lobes", "--sweep", "x=1:2:3"}, "NAME=FROM:TO:COUNT"},
       {{"lobes", "--brdf", "wood"}, "wood"},
       {{"lobes", "--brdf", "ggx", "--theta", "95"}, "--theta"},
+      {{"lobes", "--brdf", "ggx", "--roughness", "0.001"}, "too narrow"},
       {{"lobes", "--theta", "30"}, "--brdf"},
       {{"polygon", "--points", "1,0,1 0,1,1"}, "three corners"},
       {{"polygon", "--points", "1,0,1 0,1,1 0,0"}, "'0,0' is not a corner"},
@@ -100,4 +101,7 @@ TEST_CASE("plot_lobes_and_polygon_name_what_is_wrong_and_draw_nothing") {
     CHECK(refuses_usage(run_tool(arguments), c.named));
     CHECK(folder.file_count() == 0);
   }
+  CHECK(fails_naming(
+      run_tool({"plot", "polygon", "--brdf", folder.file("no.binary"), "-o", folder.file("x.svg")}),
+      "no.binary"));
 }

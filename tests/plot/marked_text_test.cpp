@@ -22,6 +22,7 @@ TEST_CASE("text is slanted, lowered and escaped as it is marked") {
   CHECK(marked_text("D_{o}*x*y", 10) ==
         "D<tspan dy=\"2.5\" font-size=\"7.2\">o</tspan><tspan font-style=\"italic\"><tspan "
         "dy=\"-2.5\">x</tspan></tspan>y");
+  CHECK(marked_text("D_{o", 10) == "D_{o");
   // Without being marked, text is what it is.
   Figure figure;
   draw_text(figure, {1, 2}, "2*3*4 _{x}");
