@@ -109,6 +109,11 @@ Status draw_lobe(Figure& figure, Vec2d origin, const LobeMatrix& matrix, const f
     const double l = std::hypot(way.x, way.y);
     if (!label_axes || l < 12) continue;
     const Vec2d label = at + way * (13 / l);
+    // Not over the lobe: there is nothing between the viewer and a point far behind it.
+    const Vec2d offset = (label - space.center) * (1 / k_lobe_unit);
+    if (!is_visible(space.view.center + space.view.right * offset.x - space.view.up * offset.y -
+                    space.view.towards * k_lobe_length))
+      continue;
     const char* const names[3] = {"*M* x", "*M* y", "*M* z"};
     draw_text(figure, label + Vec2d(0, 3.5), names[axis],
               {10.5, Anchor::middle, k_axis_inks[axis], false, false, 0, true});

@@ -16,8 +16,7 @@ namespace openltc::plot {
 namespace {
 
 constexpr std::size_t k_columns = 4;
-constexpr double k_top = 10, k_row_head = 20, k_line = 14.5;
-constexpr double k_note_indent = 132; // behind the title of a row
+constexpr double k_top = 10, k_row_head = 20, k_line = 14.5, k_head_size = 14;
 constexpr double k_width = double(k_columns) * k_lobe_panel_width - 4;
 constexpr double k_key_height = 150;
 
@@ -35,6 +34,12 @@ std::size_t lines_of(const LobeRow& row) { return (row.cells.size() + k_columns 
 
 // Where there is room beside the first lobe the key stands there.
 bool key_fits_beside(const std::vector<LobeRow>& rows) { return rows.front().cells.size() == 1; }
+
+// "(b) roughness"; without a letter where there is one row.
+std::string head_of(const std::vector<LobeRow>& rows, std::size_t row) {
+  const std::string& title = rows[row].title;
+  return rows.size() > 1 ? fmt::format("({}) {}", char('a' + row), title) : title;
+}
 
 Status draw_cell(Figure& figure, Vec2d corner, const LobeCell& cell, bool label_axes) {
   if (Status status = check_matrix(cell.matrix, cell.caption); !status) return status;
@@ -125,13 +130,16 @@ Result<Figure> make_lobes_figure(const LobesOptions& options) {
   for (const LobeRow& row : rows)
     figure.height += k_row_head + double(lines_of(row)) * line_height(row);
 
+  // Notes stand behind the longest title, one below the other.
+  double indent = 0;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    indent = std::max(indent, 1.1 * text_width(head_of(rows, r), k_head_size) + 14);
   double y = k_top;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const LobeRow& row = rows[r];
-    const std::string head =
-        rows.size() > 1 ? fmt::format("({}) {}", char('a' + r), row.title) : row.title;
-    draw_text(figure, {0, y + 12}, head, {14, Anchor::start, "ink", true});
-    draw_text(figure, {k_note_indent, y + 12}, row.note, {12, Anchor::start, "soft"});
+    const std::string head = head_of(rows, r);
+    draw_text(figure, {0, y + 12}, head, {k_head_size, Anchor::start, "ink", true});
+    draw_text(figure, {indent, y + 12}, row.note, {12, Anchor::start, "soft"});
     y += k_row_head;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Vec2d corner(double(i % k_columns) * k_lobe_panel_width,
