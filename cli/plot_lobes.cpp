@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct LobesArguments {
   PlotOutput output;
   std::vector<plot::StandardRow> rows;
   std::vector<std::string> matrices, sweeps;
-  std::string brdf;
+  std::optional<std::string> brdf;
   std::vector<double> theta = {0, 30, 60, 80};
   std::vector<double> roughness = {0.5};
 };
@@ -44,8 +45,8 @@ std::string command_of(const LobesArguments& arguments) {
     command += " --matrix " + matrix;
   for (const std::string& sweep : arguments.sweeps)
     command += " --sweep " + sweep;
-  if (arguments.brdf.empty()) return command;
-  command += " --brdf " + shell_word(arguments.brdf);
+  if (!arguments.brdf) return command;
+  command += " --brdf " + shell_word(*arguments.brdf);
   const LobesArguments defaults;
   if (arguments.theta != defaults.theta)
     command += fmt::format(" --theta {}", fmt::join(arguments.theta, " "));
@@ -85,8 +86,8 @@ Result<std::vector<plot::LobeRow>> rows_of(const LobesArguments& arguments) {
 Result<plot::Figure> make_figure(const LobesArguments& arguments) {
   Result<std::vector<plot::LobeRow>> rows = rows_of(arguments);
   if (!rows) return rows.error();
-  if (!arguments.brdf.empty()) {
-    const Result<brdf::Brdf> brdf = brdf_of_option(arguments.brdf);
+  if (arguments.brdf) {
+    const Result<brdf::Brdf> brdf = brdf_of_option(*arguments.brdf);
     if (!brdf) return brdf.error();
     Result<plot::LobeRow> row = plot::fitted_row(*brdf, arguments.theta, arguments.roughness);
     if (!row) return row.error();

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace openltc::cli {
@@ -19,7 +20,8 @@ namespace {
 
 struct PolygonArguments {
   PlotOutput output;
-  std::string brdf = "ggx", matrix, points;
+  std::string brdf = "ggx";
+  std::optional<std::string> matrix, points;
   double theta = 60, roughness = 0.6;
   plot::PolygonSampling sampling{500, 0};
 };
@@ -27,15 +29,15 @@ struct PolygonArguments {
 std::string command_of(const PolygonArguments& arguments) {
   const PolygonArguments defaults;
   std::string command = "openltc plot polygon";
-  if (!arguments.matrix.empty()) {
-    command += " --matrix " + arguments.matrix;
+  if (arguments.matrix) {
+    command += " --matrix " + *arguments.matrix;
   } else {
     if (arguments.brdf != defaults.brdf) command += " --brdf " + shell_word(arguments.brdf);
     if (arguments.theta != defaults.theta) command += fmt::format(" --theta {}", arguments.theta);
     if (arguments.roughness != defaults.roughness)
       command += fmt::format(" --roughness {}", arguments.roughness);
   }
-  if (!arguments.points.empty()) command += fmt::format(" --points \"{}\"", arguments.points);
+  if (arguments.points) command += fmt::format(" --points \"{}\"", *arguments.points);
   if (arguments.sampling.samples != defaults.sampling.samples)
     command += fmt::format(" --samples {}", arguments.sampling.samples);
   if (arguments.sampling.seed != 0) command += fmt::format(" --seed {}", arguments.sampling.seed);
@@ -46,13 +48,13 @@ Result<plot::PolygonOptions> options_of(const PolygonArguments& arguments) {
   plot::PolygonOptions options;
   options.sampling = arguments.sampling;
   options.command = command_of(arguments);
-  if (!arguments.points.empty()) {
-    Result<std::vector<Vec3d>> corners = plot::parse_points(arguments.points);
+  if (arguments.points) {
+    Result<std::vector<Vec3d>> corners = plot::parse_points(*arguments.points);
     if (!corners) return corners.error();
     options.corners = std::move(*corners);
   }
-  if (!arguments.matrix.empty()) {
-    const Result<plot::LobeMatrix> matrix = plot::parse_matrix(arguments.matrix);
+  if (arguments.matrix) {
+    const Result<plot::LobeMatrix> matrix = plot::parse_matrix(*arguments.matrix);
     if (!matrix) return matrix.error();
     options.lobe = plot::lobe_of_matrix(*matrix);
     options.lobe_name = plot::entries_text(*matrix);

@@ -114,6 +114,9 @@ Result<Figure> make_lobes_figure(const LobesOptions& options) {
     if (row.cells.empty()) return Error{row.title + ": a row needs a lobe"};
     count += row.cells.size();
   }
+  if (rows.size() > k_most_rows)
+    return Error{
+        fmt::format("{} rows are too many for a figure; {} at most", rows.size(), k_most_rows)};
   if (count > k_most_lobes)
     return Error{
         fmt::format("{} lobes are too many for a figure; {} at most", count, k_most_lobes)};

@@ -21,11 +21,13 @@ struct LobesOptions {
   std::string command = "openltc plot lobes"; ///< for the caption
 };
 
+inline constexpr std::size_t k_most_rows = 26;  ///< (a) to (z)
 inline constexpr std::size_t k_most_lobes = 64; ///< in all rows together
 
 /// Draws each lobe twice, as a sphere of directions and as a solid, relative to its own peak, with
 /// det M, the peak and the integral of D, by quadrature, below. Fails for a row without lobes, for
-/// too many, for a matrix that makes no lobe, and when an integral is not 1 to six digits.
+/// too many of either, for a matrix that makes no lobe, and when an integral is not 1 to six
+/// digits.
 Result<Figure> make_lobes_figure(const LobesOptions& options);
 
 } // namespace openltc::plot
