@@ -29,8 +29,8 @@ struct SoftBox {
 };
 
 // A large key from above on the left, weaker fills from the right and from below, and one behind
-// that lights the edge. Distances
-// in half heights of the window; radiance so that a white card facing the key is nearly white.
+// that lights the edge. Distances in halves of the window's longer side; radiance so that a white
+// card which faces the key is nearly white.
 constexpr SoftBox k_soft_boxes[] = {{-3.0, 4.0, 4.0, 3.0, 2.6},
                                     {5.0, 0.5, 3.5, 3.0, 1.5},
                                     {2.5, 3.0, -4.5, 2.5, 1.6},
@@ -79,6 +79,7 @@ Result<image::Image> render_solids(std::span<const Solid> solids, const View& vi
   render_options.samples = options.samples;
   render_options.shadow_samples = 0;
   render_options.light_error = 0;
+  render_options.kernel = "scalar"; // the same bits whatever the machine's instruction set
   render_options.threads = options.threads;
   const scene::Camera camera = camera_of(view);
   const auto on = [&](float background) {
