@@ -89,9 +89,10 @@ Result<plot::Figure> make_figure(const LobesArguments& arguments) {
   if (arguments.brdf) {
     const Result<brdf::Brdf> brdf = brdf_of_option(*arguments.brdf);
     if (!brdf) return brdf.error();
-    Result<plot::LobeRow> row = plot::fitted_row(*brdf, arguments.theta, arguments.roughness);
-    if (!row) return row.error();
-    rows->push_back(std::move(*row));
+    const Result<std::vector<plot::LobeRow>> fitted =
+        plot::fitted_rows(*brdf, arguments.theta, arguments.roughness);
+    if (!fitted) return fitted.error();
+    rows->insert(rows->end(), fitted->begin(), fitted->end());
   }
   return plot::make_lobes_figure({std::move(*rows), command_of(arguments)});
 }

@@ -191,21 +191,27 @@ Result<LobeRow> sweep_row(const LobeMatrix& base, const LobeSweep& sweep) {
   return row;
 }
 
-Result<LobeRow> fitted_row(const brdf::Brdf& brdf, std::span<const double> theta_degrees,
-                           std::span<const double> roughness) {
+Result<std::vector<LobeRow>> fitted_rows(const brdf::Brdf& brdf,
+                                         std::span<const double> theta_degrees,
+                                         std::span<const double> roughness) {
   const Result<LobeTables> tables = lobe_tables(brdf);
   if (!tables) return tables.error();
-  LobeRow row{brdf.name, "as fitted: M of the lobe that comes closest", {}};
-  for (const double r : roughness)
+  std::vector<LobeRow> rows;
+  for (const double r : roughness) {
+    LobeRow row{brdf.name, "lobes as fitted; θ is the view's angle to the normal", {}};
+    if (brdf.has_parameter()) row.title += fmt::format(", roughness {:.4g}", r);
     for (const double theta : theta_degrees) {
       const Result<f64::Lobe> lobe = tables->at(theta, r);
       if (!lobe) return lobe.error();
       const LobeMatrix m = *matrix_of_lobe(*lobe);
       row.cells.push_back(
-          {m, view_text(brdf, theta, r),
+          {m, fmt::format("θ = {:.4g}°", theta),
            entries_text({two_digits(m.a), two_digits(m.b), two_digits(m.c), two_digits(m.d)})});
     }
-  return row;
+    rows.push_back(std::move(row));
+    if (!brdf.has_parameter()) break;
+  }
+  return rows;
 }
 
 Result<f64::Lobe> fitted_lobe(const brdf::Brdf& brdf, double theta_degrees, double roughness) {

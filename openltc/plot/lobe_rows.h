@@ -56,12 +56,13 @@ Result<LobeRow> matrix_row(std::span<const LobeMatrix> matrices);
 /// lobe.
 Result<LobeRow> sweep_row(const LobeMatrix& base, const LobeSweep& sweep);
 
-/// The lobes that shading uses for a BRDF: of the built-in table for GGX, of one fitted on the spot
-/// for others. Every roughness 0..1 with every view angle in degrees, 0..90. At roughness and
-/// angles where the lobe is too narrow for a picture, or for a BRDF that cannot be fitted, an
-/// error.
-Result<LobeRow> fitted_row(const brdf::Brdf& brdf, std::span<const double> theta_degrees,
-                           std::span<const double> roughness);
+/// The lobes that shading uses for a BRDF, of the built-in table for GGX, of one fitted on the spot
+/// for others: a row for each roughness 0..1, one for a BRDF without, and in it every view angle in
+/// degrees, 0..90. At roughness and angles where the lobe is too narrow for a picture, or for a
+/// BRDF that cannot be fitted, an error.
+Result<std::vector<LobeRow>> fitted_rows(const brdf::Brdf& brdf,
+                                         std::span<const double> theta_degrees,
+                                         std::span<const double> roughness);
 
 /// The same for a single lobe.
 Result<f64::Lobe> fitted_lobe(const brdf::Brdf& brdf, double theta_degrees, double roughness);

@@ -18,8 +18,8 @@ namespace openltc::plot {
 
 namespace {
 
-constexpr double k_width = 904, k_height = 580, k_radius = 165, k_middle = 236;
-constexpr double k_left_center = 208, k_right_center = 696;
+constexpr double k_width = 904, k_height = 580, k_radius = 160, k_middle = 236;
+constexpr double k_left_center = 200, k_right_center = 704;
 
 Type marked(double size, Anchor anchor, const char* color, bool bold = false) {
   return {size, anchor, color, bold, false, 0, true};
