@@ -78,7 +78,7 @@ void add_plot(CLI::App& app, int& exit_code) {
                "  openltc plot lobes                       lobes.svg, here\n"
                "  openltc plot error --against ltc_1.dds -o error.png --background dark");
   plot->require_subcommand(1);
-  (void)exit_code;
+  add_plot_literal(*plot, exit_code);
 }
 
 } // namespace openltc::cli
