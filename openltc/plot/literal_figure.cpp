@@ -28,7 +28,8 @@ struct Label {
   Vec2d place; // values
   Anchor anchor = Anchor::start;
   int series = 0;
-  bool dot = false; // with a dot at the place, the text beside or above it
+  bool dot = false; // at the place, and the text `shift` pixels from there
+  Vec2d shift{-8, -7};
 };
 
 struct Sketch {
@@ -36,6 +37,7 @@ struct Sketch {
   std::vector<Curve> curves;
   std::vector<Label> labels;
   std::string note;
+  double limit = 0; // above it, where positive, no surface can be
 };
 
 double cos_degrees(double degrees) { return std::cos(degrees * f64::k_pi / 180); }
@@ -49,7 +51,10 @@ Axis angle_axis(const std::string& label) {
   return Axis{label, 0, 90, false, {{0, "0"}, {30, "30"}, {60, "60"}, {90, "90"}}};
 }
 
-Axis roughness_axis(double from) { return Axis{"roughness √α", from, 1, false, {}}; }
+// Below 0.1 the curves go on as they are, and (e) leaves the page.
+Axis roughness_axis() {
+  return Axis{"roughness √α", 0.1, 1, false, {{0.1, "0.1"}, {0.4, "0.4"}, {0.7, "0.7"}, {1, "1"}}};
+}
 
 // Both curves of a slip over equal steps of x.
 std::vector<Curve> curves_of(double from, double to, int steps,
@@ -78,6 +83,8 @@ Sketch denominator_sketch() {
       {fmt::format("{:.1f}", at.literal), Vec2d(k_at, at.literal), Anchor::end, 1, true},
       {"D V F", Vec2d(3, 1.2), Anchor::start, 0, false},
       {"D G F / (4 cos θₒ cos θᵢ),  G = V", Vec2d(3, 0.15), Anchor::start, 1, false}};
+  sketch.limit = 1;
+  sketch.labels.push_back({"more light than came in", Vec2d(3, 35), Anchor::start, 1, false});
   sketch.note = "A white furnace: α = 0.1, F = 1. No surface reflects more than 1. The source's G "
                 "already is the visibility V, which holds the denominator.";
   return sketch;
@@ -91,14 +98,20 @@ Sketch schlick_sketch() {
   Sketch sketch;
   sketch.panel.title = "(b) Schlick's exponent, inside the bracket";
   sketch.panel.x = angle_axis("angle to the facet's normal (degrees)");
-  sketch.panel.y = Axis{"Fresnel reflectance F", 0, 1, false, {}};
+  sketch.panel.y =
+      Axis{"Fresnel reflectance F",
+           0,
+           1,
+           false,
+           {{0, "0"}, {0.2, "0.2"}, {0.4, "0.4"}, {0.6, "0.6"}, {0.8, "0.8"}, {1, "1"}}};
   sketch.curves = curves_of(0, 90, 90, reflectance);
   const Slip at = reflectance(k_at);
-  sketch.labels = {
-      {fmt::format("{:.3f}", at.correct), Vec2d(k_at, at.correct), Anchor::end, 0, true},
-      {fmt::format("{:.3f}", at.literal), Vec2d(k_at, at.literal), Anchor::start, 1, true},
-      {"F₀ + (1 − F₀)(1 − cos θ)⁵", Vec2d(4, 0.1), Anchor::start, 0, false},
-      {"F₀ + (1 − F₀)(1 − cos⁵ θ)", Vec2d(40, 0.72), Anchor::start, 1, false}};
+  sketch.labels = {{fmt::format("{:.3f}", at.correct), Vec2d(k_at, at.correct), Anchor::start, 0,
+                    true, Vec2d(9, 8)},
+                   {fmt::format("{:.3f}", at.literal), Vec2d(k_at, at.literal), Anchor::start, 1,
+                    true, Vec2d(7, 15)},
+                   {"F₀ + (1 − F₀)(1 − cos θ)⁵", Vec2d(25, 0.13), Anchor::start, 0, false},
+                   {"F₀ + (1 − F₀)(1 − cos⁵ θ)", Vec2d(43, 0.62), Anchor::start, 1, false}};
   sketch.note = "Glass, F₀ = 0.04. The curve is turned over: at 60° glass becomes a mirror. The "
                 "source also has the normal's cosine for that of the half vector.";
   return sketch;
@@ -113,18 +126,18 @@ Sketch twice_sketch() {
   sketch.curves = curves_of(0, 90, 90, twice);
   const Slip at = twice(0);
   sketch.labels = {{"F", Vec2d(3, 0.055), Anchor::start, 0, false},
-                   {"k_s F with k_s = F", Vec2d(3, 0.0023), Anchor::start, 1, false},
-                   {fmt::format("{:.0f} times too dark", at.correct / at.literal),
-                    Vec2d(3, std::sqrt(at.correct * at.literal)), Anchor::start, 1, false}};
-  sketch.note = "Glass, F₀ = 0.04. The source weights D F G with k_s. F already is the share that "
-                "is reflected, so k_s = F squares it.";
+                   {"kₛ F, if kₛ = F", Vec2d(3, 0.0023), Anchor::start, 1, false},
+                   {fmt::format("at 0°: {:.0f} times too dark", at.correct / at.literal),
+                    Vec2d(3, 0.0055), Anchor::start, 1, false}};
+  sketch.note = "Glass, F₀ = 0.04. The source has both F and a weight kₛ. F already is the share "
+                "that is reflected; where kₛ is set to F, as many do, Fresnel is squared.";
   return sketch;
 }
 
 Sketch amplitude_sketch() {
   Sketch sketch;
   sketch.panel.title = "(d) A density without its amplitude";
-  sketch.panel.x = roughness_axis(0);
+  sketch.panel.x = roughness_axis();
   sketch.panel.y = Axis{"reflected share of a white sky", 0.01, 3, true, {}};
   sketch.curves =
       curves_of(0.1, 1, 45, [](double r) { return lobe_amplitude(fitted_lobe(r), k_f0); });
@@ -135,26 +148,28 @@ Sketch amplitude_sketch() {
   }
   sketch.curves.push_back(metal);
   sketch.labels = {{"∫ D dω, for every material", Vec2d(0.12, 1.2), Anchor::start, 1, false},
-                   {"E, white metal", Vec2d(0.12, 0.6), Anchor::start, 0, false},
-                   {"E, glass", Vec2d(0.12, 0.045), Anchor::start, 0, false}};
-  sketch.note = "θ = 60°. The source has D ≈ ρ cos θ. D integrates to 1, ρ cos θ to the albedo "
-                "E = F₀ n₁ + (F₉₀ − F₀) n₅; so ρ cos θ ≈ E D.";
+                   {"E, white metal (F₀ = 1)", Vec2d(0.12, 0.6), Anchor::start, 0, false},
+                   {"E, glass (F₀ = 0.04)", Vec2d(0.12, 0.041), Anchor::start, 0, false}};
+  sketch.note =
+      "θ = 60°. The source has D ≈ ρ cos θ. But D integrates to 1, and ρ cos θ to the albedo, "
+      "E = F₀ n₁ + (F₉₀ − F₀) n₅. So ρ cos θ ≈ E D.";
   return sketch;
 }
 
 Sketch determinant_sketch() {
   Sketch sketch;
   sketch.panel.title = "(e) A determinant, read as a norm";
-  sketch.panel.x = roughness_axis(0);
+  sketch.panel.x = roughness_axis();
   sketch.panel.y = Axis{"integral of D over the sphere", 0.3, 300, true, {}};
   const auto integral = [](double r) { return lobe_integral(fitted_lobe(r).lobe); };
   sketch.curves = curves_of(0.1, 1, 45, integral);
   const double middle = integral(0.5).literal;
-  sketch.labels = {{"|det M⁻¹|", Vec2d(0.12, 0.6), Anchor::start, 0, false},
-                   {"‖M⁻¹‖", Vec2d(0.3, 40), Anchor::start, 1, false},
-                   {fmt::format("{:.1f}", middle), Vec2d(0.5, middle), Anchor::start, 1, true}};
-  sketch.note = "θ = 60°, lobes of the built-in table. Beside bars that are norms the source's "
-                "|M⁻¹| looks like one (here Frobenius), and D is no density.";
+  sketch.labels = {
+      {"|det M⁻¹|", Vec2d(0.12, 0.6), Anchor::start, 0, false},
+      {"‖M⁻¹‖", Vec2d(0.3, 40), Anchor::start, 1, false},
+      {fmt::format("{:.1f}", middle), Vec2d(0.5, middle), Anchor::start, 1, true, Vec2d(7, -7)}};
+  sketch.note = "θ = 60°, lobes of the built-in table. The source's |M⁻¹| stands beside norms and "
+                "looks like one. With a norm, here Frobenius', D is no density.";
   return sketch;
 }
 
@@ -179,16 +194,14 @@ Sketch point_light_sketch() {
       90,
       false,
       {{-90, "−90"}, {-60, "−60"}, {-30, "−30"}, {0, "0"}, {30, "30"}, {60, "60"}, {90, "90"}}};
-  sketch.panel.y = Axis{"reflected per light (1/sr)", 0, 10, false, {}};
+  sketch.panel.y = Axis{
+      "radiance per irradiance (1/sr)", 0, 16, false, {{0, "0"}, {5, "5"}, {10, "10"}, {15, "15"}}};
+  correct.label = fmt::format("n₁ D(ω): integral {:.2f}", fitted.n1);
+  by_length.label = fmt::format("with |M⁻¹ω|: integral {:.1f}", integrals.by_length);
+  by_determinant.label = fmt::format("with |det M⁻¹|: integral {:.2f}", integrals.by_determinant);
   sketch.curves = {correct, by_length, by_determinant};
-  sketch.labels = {
-      {fmt::format("|M⁻¹ω|: ∫ = {:.1f}", integrals.by_length), Vec2d(-84, 8.8), Anchor::start, 1,
-       false},
-      {fmt::format("determinant: ∫ = {:.2f}", integrals.by_determinant), Vec2d(-84, 7.6),
-       Anchor::start, 2, false},
-      {fmt::format("n₁ D: ∫ = {:.2f}", fitted.n1), Vec2d(-84, 6.4), Anchor::start, 0, false}};
-  sketch.note = "θ = 60°, roughness 0.5, F = 1, the light in the plane of incidence. I_specular "
-                "has |M⁻¹ω| for the determinant; even with it the integral is π.";
+  sketch.note = "θ = 60°, roughness 0.5, F = 1, lights in the plane of incidence. The source has "
+                "|M⁻¹ω| for the determinant; even with it the integral is π, for any material.";
   return sketch;
 }
 
@@ -196,15 +209,21 @@ void draw_sketch(Figure& figure, Sketch& sketch, int column, int row) {
   Panel& panel = sketch.panel;
   panel.corner = Vec2d(55 + column * k_column_step, 56 + row * k_row_step);
   panel.size = Vec2d(k_panel_width, k_panel_height);
+  if (sketch.limit > 0)
+    draw_rectangle(
+        figure, panel.corner,
+        Vec2d(k_panel_width, place_in(panel, panel.x.from, sketch.limit).y - panel.corner.y),
+        {"none", 1, "", 1, "series1", 0.08});
   draw_axes(figure, panel);
   draw_curves(figure, panel, sketch.curves);
+  if (!sketch.curves[0].label.empty())
+    draw_legend(figure, panel.corner + Vec2d(14, 22), sketch.curves);
   for (const Label& label : sketch.labels) {
     Vec2d place = place_in(panel, label.place.x, label.place.y);
     const std::string color = fmt::format("series{}", label.series);
     if (label.dot) {
       draw_circle(figure, place, 3.5, {"paper", 1.5, "", 1, color, 1});
-      place = place +
-              Vec2d(label.anchor == Anchor::end ? -8 : 8, label.anchor == Anchor::end ? -7 : 13);
+      place = place + label.shift;
     }
     draw_text(figure, place, label.text, {11, label.anchor, color, label.dot, false, 0});
   }
@@ -216,12 +235,12 @@ void draw_sketch(Figure& figure, Sketch& sketch, int column, int row) {
 
 Figure make_literal_figure() {
   Figure figure;
-  figure.title = "The source's formulas, taken literally";
+  figure.title = "The source document's formulas, taken literally";
   figure.caption =
-      "What the document that OpenLTC implements gives where its formulas slip (dashed), and the "
-      "corrected formulas (solid); docs/method.md says why. Command: openltc plot literal";
+      "Dashed: formulas of the document that OpenLTC implements, as they stand. Solid: corrected. "
+      "See docs/method.md.\nopenltc plot literal";
   figure.width = 55 + k_column_step + k_panel_width + 10;
-  figure.height = 3 * k_row_step + 16;
+  figure.height = 3 * k_row_step + 24;
   const std::vector<Curve> legend = {{"corrected", {}, 0}, {"the source, literally", {}, 1}};
   draw_legend(figure, Vec2d(55, 12), std::span(legend).first(1));
   draw_legend(figure, Vec2d(175, 12), std::span(legend).last(1));

@@ -27,7 +27,8 @@ double literal_ggx(Vec3d wo, Vec3d wi, double alpha);
 /// Section 0.1.1, F0 + (1 - F0) (1 - cos^5): the exponent stands inside the bracket.
 double literal_schlick(double f0, double cos_theta);
 
-/// Section 0.1.2, D(w) with |M^-1| read as the Frobenius norm, as the bars beside it are norms.
+/// Section 0.1.2, D(w) with |M^-1| read as the Frobenius norm, as the bars beside it are norms. It
+/// even depends on the scale of M^-1, here 1 in the middle.
 double literal_lobe(const f64::Lobe& lobe, Vec3d wi);
 
 /// Section 0.1.3, I_specular with k_s = 1: no 1/pi, no amplitude, and |M^-1 w| for |M^-1|.

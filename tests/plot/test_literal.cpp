@@ -4,12 +4,15 @@
 // The numbers of the figure of literal formulas: those that the documentation states, and bounds
 // that hold for the corrected formulas alone.
 
+#include "openltc/plot/literal_figure.h"
 #include "openltc/plot/literal_formulas.h"
 #include "openltc/table/lobe_table.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
 using namespace openltc;
 using doctest::Approx;
@@ -91,4 +94,18 @@ TEST_CASE("literal: without its amplitude the lobe of glass is 10 times too brig
     CHECK(white.literal == Approx(1).epsilon(2e-3));
     CHECK(glass.literal > 10 * glass.correct);
   }
+}
+
+TEST_CASE("literal: the figure draws every curve in one piece, with the numbers of the formulas") {
+  const plot::Figure figure = plot::make_literal_figure();
+  std::size_t paths = 0;
+  for (std::size_t at = 0; (at = figure.body.find("<path", at)) != std::string::npos; ++at)
+    ++paths;
+  CHECK(paths == 14); // a value that is not finite would cut a curve in two
+  const double middle = plot::lobe_integral(fitted(0.5, 60).lobe).literal;
+  for (const double number : {middle, plot::white_furnace(0.1, cos_degrees(85)).literal}) {
+    CAPTURE(number);
+    CHECK(figure.body.find(fmt::format(">{:.1f}</text>", number)) != std::string::npos);
+  }
+  CHECK(figure.caption.find("openltc plot literal") != std::string::npos);
 }
