@@ -92,6 +92,7 @@ void add_plot(CLI::App& app, int& exit_code) {
   plot->require_subcommand(1);
   add_plot_lobes(*plot, exit_code);
   add_plot_polygon(*plot, exit_code);
+  add_plot_literal(*plot, exit_code);
 }
 
 } // namespace openltc::cli

@@ -43,4 +43,7 @@ void add_plot_polygon(CLI::App& plot, int& exit_code);
 /// "openltc plot WHAT: message" on stderr; the exit code for a job that failed.
 int fail_plot(const PlotOutput& output, const Error& error);
 
+// One function for each figure, in cli/plot_WHAT.cpp.
+void add_plot_literal(CLI::App& plot, int& exit_code);
+
 } // namespace openltc::cli

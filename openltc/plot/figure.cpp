@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -240,7 +241,7 @@ std::string to_svg(const Figure& figure, Theme theme) {
     bottom += 10 + draw_paragraph(frame, Vec2d(k_margin, bottom + 10 + k_caption_size),
                                   figure.width, figure.caption, caption);
   }
-  const double height = bottom + k_margin;
+  const double height = std::ceil(bottom + k_margin); // the last row of pixels is covered
   std::string svg =
       fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
                   "viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"{2}\" "
