@@ -28,8 +28,8 @@ demo: build ## Render the demo scene by LTC and by reference, and compare the tw
 lights: build ## Render every shape of light by LTC and by reference, and compare
 	@tools/lights_demo.sh
 
-figures: build ## Make the figures of the documentation (docs/images/plot)
-	@OPENLTC=build/release/bin/openltc tools/make_figures.sh
+figures: build ## Make the figures of the docs: docs/images/plot
+	@tools/make_figures.sh
 
 test: build ## Run all tests
 	@tools/test.sh release

@@ -90,6 +90,7 @@ void add_plot(CLI::App& app, int& exit_code) {
                "  openltc plot lobes                       lobes.svg, here\n"
                "  openltc plot error --against ltc_1.dds -o error.png --background dark");
   plot->require_subcommand(1);
+  add_plot_error(*plot, exit_code);
   add_plot_lobes(*plot, exit_code);
   add_plot_polygon(*plot, exit_code);
   add_plot_literal(*plot, exit_code);

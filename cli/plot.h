@@ -44,4 +44,7 @@ void add_plot_polygon(CLI::App& plot, int& exit_code);
 /// "openltc plot WHAT: message" on stderr; the exit code for a job that failed.
 int fail_plot(const PlotOutput& output, const Error& error);
 
+/// The figures, one file each.
+void add_plot_error(CLI::App& plot, int& exit_code);
+
 } // namespace openltc::cli

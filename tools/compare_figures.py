@@ -1,198 +1,215 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The OpenLTC authors
 # SPDX-License-Identifier: MIT
-"""Compares figures of docs/images/plot with fresh ones, or any two folders of SVG files.
+"""Compares figures: tools/compare_figures.py BEFORE.svg AFTER.svg, or two folders of them.
 
-    tools/compare_figures.py CHECKED_IN FRESH
+Prints what differs and exits with 1 if anything does. Two runs of one command may differ a little,
+since the kernels of other processors round otherwise; so these pass:
 
-Kernels differ by instruction set, so the last digit may. Two figures are the same when
-
-1. their text, structure and colours are equal, and every number differs by one step of its last
-   printed digit at most, and by less than 0.11 (a tenth of a pixel): 0.0361 and 0.0362 are the same,
-   12 and 13 are not;
-2. embedded pictures have equal sizes, a mean difference of at most 0.5/255 a channel, and at most
-   0.2 % of pixels where a channel differs by more than 8/255 (silhouettes). Colours count by their
-   alpha.
-
-Prints a line for each difference; exit code 1 if there is any, also when a file is missing on one
-side.
+  lengths       a quarter of a pixel
+  text          numbers with a decimal point: one unit of the last digit, at most 2 %, and anything
+                below 10^-9; the rest must be equal
+  pictures      of equal size, half a level of 255 in the mean, and half a per cent of the pixels
+                off by more than eight levels in a channel
 """
 
 import base64
-import os
+import pathlib
 import re
 import struct
 import sys
+import xml.etree.ElementTree
 import zlib
 
-k_number_step = 1.01
-k_number_most = 0.11
-k_mean = 0.5
-k_large = 8
-k_large_share = 0.002
+LENGTH = 0.25
+TEXT_SHARE = 0.02
+TEXT_NOISE = 1e-9
+PICTURE_MEAN = 0.5
+PICTURE_LEVELS = 8
+PICTURE_SHARE = 0.005
 
-k_picture = re.compile(r"data:image/png;base64,([A-Za-z0-9+/=\s]*)")
-k_token = re.compile(r"#[0-9a-fA-F]{6}\b|&#\d+;|-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-k_samples = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}  # by PNG colour type
-
-
-class BadFigure(Exception):
-    pass
+NUMBER = re.compile(r"[-−+]?(?:\d+\.\d+|\d+|\.\d+)(?:e[-+]?\d+)?")
+PNG_URI = "data:image/png;base64,"
 
 
-def unfilter(kind, row, above, step):
-    """One scan line of a PNG file, in place (ISO/IEC 15948, 9.2)."""
-    if kind == 1:
-        for i in range(step, len(row)):
-            row[i] = (row[i] + row[i - step]) & 255
-    elif kind == 2:
-        for i, b in enumerate(above):
-            row[i] = (row[i] + b) & 255
-    elif kind == 3:
-        for i, b in enumerate(above):
-            row[i] = (row[i] + ((row[i - step] if i >= step else 0) + b) // 2) & 255
-    elif kind == 4:
-        for i, b in enumerate(above):
-            a, c = (row[i - step], above[i - step]) if i >= step else (0, 0)
-            to_a, to_b, to_c = abs(b - c), abs(a - c), abs(a + b - 2 * c)
-            nearest = a if to_a <= to_b and to_a <= to_c else b if to_b <= to_c else c
-            row[i] = (row[i] + nearest) & 255
-    elif kind != 0:
-        raise BadFigure("an embedded picture has a filter that PNG does not know")
+def unfilter(rows, width_bytes, step):
+    """Scan lines without their filters; PNG (ISO/IEC 15948) 9.2, types 0 to 4."""
+    above, result, at = bytearray(width_bytes), [], 0
+    while at < len(rows):
+        kind, line = rows[at], bytearray(rows[at + 1:at + 1 + width_bytes])
+        at += 1 + width_bytes
+        for i in range(width_bytes if kind else 0):
+            left = line[i - step] if i >= step else 0
+            corner = above[i - step] if i >= step else 0
+            up = above[i]
+            if kind == 1:
+                guess = left
+            elif kind == 2:
+                guess = up
+            elif kind == 3:
+                guess = (left + up) // 2
+            elif kind == 4:
+                p = left + up - corner
+                by_left, by_up, by_corner = abs(p - left), abs(p - up), abs(p - corner)
+                guess = (left if by_left <= by_up and by_left <= by_corner
+                         else up if by_up <= by_corner else corner)
+            else:
+                raise ValueError(f"filter {kind} of a PNG file is not known")
+            line[i] = (line[i] + guess) & 255
+        result.append(line)
+        above = line
+    return result
 
 
 def decode_png(data):
-    """(width, height, RGBA bytes, colours multiplied by alpha) of an 8-bit PNG."""
+    """(width, height, RGBA bytes) of a PNG file, 8 bits a channel or a palette, not interlaced."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
-        raise BadFigure("an embedded picture is no PNG")
-    at, packed, palette, clear = 8, b"", b"", b""
-    width = height = depth = kind = 0
-    while at + 8 <= len(data):
-        size, name = struct.unpack(">I4s", data[at:at + 8])
+        raise ValueError("not a PNG file")
+    at, packed, palette, alphas = 8, b"", b"", b""
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
         body = data[at + 8:at + 8 + size]
-        if name == b"IHDR":
-            width, height, depth, kind, _, _, interlaced = struct.unpack(">IIBBBBB", body)
-            if depth != 8 or interlaced or kind not in k_samples:
-                raise BadFigure("an embedded picture is not 8 bits a sample, without interlacing")
-        elif name == b"PLTE":
+        at += size + 12
+        if kind == b"IHDR":
+            width, height, depth, color, _, _, interlaced = struct.unpack(">IIBBBBB", body)
+        elif kind == b"PLTE":
             palette = body
-        elif name == b"tRNS":
-            clear = body
-        elif name == b"IDAT":
+        elif kind == b"tRNS":
+            alphas = body
+        elif kind == b"IDAT":
             packed += body
-        at += 12 + size
-    step = k_samples[kind]
-    try:
-        raw = zlib.decompress(packed)
-    except zlib.error as error:
-        raise BadFigure("an embedded picture is damaged: %s" % error) from None
-    if width * height == 0 or len(raw) != height * (1 + width * step):
-        raise BadFigure("an embedded picture is cut short")
-    pixels, above = bytearray(), bytearray(width * step)
-    for y in range(height):
-        begin = y * (1 + width * step)
-        row = bytearray(raw[begin + 1:begin + 1 + width * step])
-        unfilter(raw[begin], row, above, step)
-        above = row
-        for i in range(0, len(row), step):
-            if kind == 3:
-                color = palette[3 * row[i]:3 * row[i] + 3]
-                alpha = clear[row[i]] if row[i] < len(clear) else 255
-            else:
-                color = row[i:i + 3] if step >= 3 else row[i:i + 1] * 3
-                alpha = row[i + step - 1] if step in (2, 4) else 255
-            pixels += bytes((v * alpha + 127) // 255 for v in color) + bytes((alpha,))
+    channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[color]
+    if interlaced or depth > 8 or (depth < 8 and channels > 1):
+        raise ValueError("a PNG file of a kind that figures do not hold")
+    width_bytes = (width * channels * depth + 7) // 8
+    lines = unfilter(zlib.decompress(packed), width_bytes, max(1, channels * depth // 8))
+    if len(lines) != height:
+        raise ValueError("a PNG file that is cut off")
+    if depth < 8:
+        mask, scale = (1 << depth) - 1, 1 if color == 3 else 255 // ((1 << depth) - 1)
+        lines = [bytes(((line[i * depth // 8] >> (8 - depth - i * depth % 8)) & mask) * scale
+                       for i in range(width)) for line in lines]
+    raw = b"".join(bytes(line) for line in lines)
+    count = width * height
+    pixels = bytearray(b"\xff") * (4 * count)
+    if color == 3:
+        colors = [palette[3 * i:3 * i + 3] + (alphas[i:i + 1] or b"\xff")
+                  for i in range(len(palette) // 3)]
+        pixels = b"".join(colors[index] for index in raw)
+    elif color in (0, 4):
+        for c in range(3):
+            pixels[c::4] = raw[0::channels]
+        if color == 4:
+            pixels[3::4] = raw[1::2]
+    else:
+        for c in range(channels):
+            pixels[c::4] = raw[c::channels]
     return width, height, bytes(pixels)
 
 
-def picture_difference(a, b):
-    """What tells two PNG files apart, or None."""
-    if a == b:
+def compare_pictures(before, after):
+    """What differs between two PNG files, or nothing."""
+    if before == after:
         return None
-    width, height, one = decode_png(a)
-    other_width, other_height, other = decode_png(b)
-    if (width, height) != (other_width, other_height):
-        return "%dx%d pixels, fresh %dx%d" % (width, height, other_width, other_height)
-    steps = [abs(x - y) for x, y in zip(one, other)]
-    mean = sum(steps) / len(steps)
-    large = sum(max(steps[i:i + 4]) > k_large for i in range(0, len(steps), 4)) / (width * height)
-    if mean > k_mean or large > k_large_share:
-        return ("pixels differ by %.2f/255 in the mean, %.2f %% of them by more than %d/255"
-                % (mean, 100 * large, k_large))
+    width, height, a = decode_png(before)
+    if (width, height) != decode_png(after)[:2]:
+        return "another size of the picture"
+    b = decode_png(after)[2]
+    total, wrong = 0, 0
+    for i in range(0, len(a), 4):
+        p, q = a[i:i + 4], b[i:i + 4]
+        if p == q or p[3] == q[3] == 0:
+            continue
+        off = [abs(x - y) for x, y in zip(p, q)]
+        total += sum(off)
+        wrong += max(off) > PICTURE_LEVELS
+    mean, share = total / len(a), wrong / (width * height)
+    if mean > PICTURE_MEAN or share > PICTURE_SHARE:
+        return f"another picture: {mean:.2f} levels in the mean, {100 * share:.2f} % of the pixels"
     return None
 
 
-def last_step(number):
-    """One step of the last digit of a number as it is printed."""
-    digits, _, exponent = number.lower().partition("e")
-    decimals = len(digits.partition(".")[2])
-    return 10.0 ** (int(exponent or 0) - decimals)
-
-
-def same_token(a, b):
-    if a == b:
+def same_number(before, after):
+    """Whether two numbers of a text are one but for rounding."""
+    if before == after:
         return True
-    if a[0] in "#&" or b[0] in "#&":
+    if "." not in before or "." not in after:
         return False
-    # Zeros at the end are not printed: the finer of the two says how many digits there are.
-    step = k_number_step * min(last_step(a), last_step(b))
-    return abs(float(a) - float(b)) <= min(step, k_number_most)
+    a, b = (float(x.replace("−", "-")) for x in (before, after))
+    if max(abs(a), abs(b)) < TEXT_NOISE:
+        return True
+    unit = 0.0
+    for text in (before, after):
+        mantissa, _, exponent = text.partition("e")
+        unit = max(unit, 10.0 ** (int(exponent or 0) - len(mantissa.split(".")[1])))
+    return abs(a - b) <= min(1.001 * unit, TEXT_SHARE * max(abs(a), abs(b)))
 
 
-def line_of(text, at):
-    return text.count("\n", 0, at) + 1
+def same_length(before, after):
+    return abs(float(before.replace("−", "-")) - float(after.replace("−", "-"))) <= LENGTH + 1e-9
 
 
-def figure_differences(a, b):
-    """What tells two SVG texts apart, a list of lines; the first difference of the text ends it."""
-    pictures = [k_picture.findall(text) for text in (a, b)]
-    if len(pictures[0]) != len(pictures[1]):
-        return ["%d pictures, fresh %d" % (len(pictures[0]), len(pictures[1]))]
+def same_but_for(before, after, same):
+    """Whether texts are equal where they hold no numbers, and their numbers are the `same`."""
+    a, b = NUMBER.findall(before), NUMBER.findall(after)
+    return (NUMBER.split(before) == NUMBER.split(after) and len(a) == len(b) and
+            all(same(x, y) for x, y in zip(a, b)))
+
+
+def compare_elements(before, after, place, found):
+    name = before.tag.rsplit("}")[-1]
+    place = f"{place}/{name}"
+    if before.tag != after.tag or list(before.attrib) != list(after.attrib):
+        found.append(f"{place}: another element, {after.tag.rsplit('}')[-1]}")
+        return
+    for key, a in before.attrib.items():
+        b = after.attrib[key]
+        if a == b:
+            continue
+        if a.startswith(PNG_URI) and b.startswith(PNG_URI):
+            said = compare_pictures(base64.b64decode(a[len(PNG_URI):]),
+                                    base64.b64decode(b[len(PNG_URI):]))
+            if said:
+                found.append(f"{place}: {said}")
+        elif not same_but_for(a, b, same_number if key == "aria-label" else same_length):
+            found.append(f"{place}: {key} was '{a[:60]}', is '{b[:60]}'")
+    a, b = (before.text or "").strip(), (after.text or "").strip()
+    if not same_but_for(a, b, same_number) if name != "style" else a != b:
+        found.append(f"{place}: the text was '{a[:80]}', is '{b[:80]}'")
+    if len(before) != len(after):
+        found.append(f"{place}: held {len(before)} elements, holds {len(after)}")
+    for i, (x, y) in enumerate(zip(before, after)):
+        compare_elements(x, y, f"{place}[{i}]", found)
+
+
+def compare(before, after):
+    """What differs between the texts of two SVG files: a list of lines."""
     found = []
-    for index, (one, other) in enumerate(zip(*pictures), 1):
-        what = picture_difference(base64.b64decode(one), base64.b64decode(other))
-        if what:
-            found.append("picture %d: %s" % (index, what))
-    a, b = (k_picture.sub("PICTURE", text) for text in (a, b))
-    at_a = at_b = 0
-    tokens = [list(k_token.finditer(text)) for text in (a, b)]
-    for one, other in zip(*tokens):
-        between_a, between_b = a[at_a:one.start()], b[at_b:other.start()]
-        if between_a != between_b or not same_token(one.group(), other.group()):
-            return found + ["line %d: '%s', fresh '%s'" % (
-                line_of(a, one.start()), a[at_a:one.end()].split("\n")[-1][-60:],
-                b[at_b:other.end()].split("\n")[-1][-60:])]
-        at_a, at_b = one.end(), other.end()
-    if len(tokens[0]) != len(tokens[1]) or a[at_a:] != b[at_b:]:
-        found.append("line %d: the rest differs" % line_of(a, at_a))
-    return found
-
-
-def read(path):
-    with open(path, encoding="utf-8") as stream:
-        return stream.read()
-
-
-def folder_differences(checked_in, fresh):
-    names = [{n for n in os.listdir(folder) if n.endswith(".svg")} for folder in (checked_in, fresh)]
-    found = ["%s: is not checked in" % n for n in sorted(names[1] - names[0])]
-    found += ["%s: no command makes it" % n for n in sorted(names[0] - names[1])]
-    for name in sorted(names[0] & names[1]):
-        try:
-            lines = figure_differences(*(read(os.path.join(d, name)) for d in (checked_in, fresh)))
-        except (BadFigure, ValueError) as error:
-            lines = [str(error)]
-        found += ["%s: %s" % (name, line) for line in lines]
+    compare_elements(xml.etree.ElementTree.fromstring(before),
+                     xml.etree.ElementTree.fromstring(after), "", found)
     return found
 
 
 def main():
     if len(sys.argv) != 3:
-        sys.exit("usage: tools/compare_figures.py CHECKED_IN FRESH")
-    found = folder_differences(*sys.argv[1:])
-    for line in found:
-        print(line)
-    sys.exit(1 if found else 0)
+        sys.exit(__doc__)
+    before, after = (pathlib.Path(p) for p in sys.argv[1:])
+    pairs = [(before, after)]
+    if after.is_dir():  # what was made anew
+        pairs = [(before / p.name, p) for p in sorted(after.glob("*.svg"))]
+    differ = not pairs
+    for old, new in pairs:
+        if not old.exists():
+            found = [f"{old} is not there"]
+        else:
+            found = compare(old.read_text(encoding="utf-8"), new.read_text(encoding="utf-8"))
+        print(f"{new.name}: {'as before' if not found else 'differs'}")
+        for line in found[:10]:
+            print(f"  {line}")
+        if len(found) > 10:
+            print(f"  and {len(found) - 10} more")
+        differ = differ or bool(found)
+    sys.exit(1 if differ else 0)
 
 
 if __name__ == "__main__":

@@ -2,55 +2,62 @@
 # Copyright (c) 2026 The OpenLTC authors
 # SPDX-License-Identifier: MIT
 #
-#   tools/make_figures.sh           make every figure of docs/images/plot
-#   tools/make_figures.sh --check   make them elsewhere and compare (tools/compare_figures.py)
-#   tools/make_figures.sh --list    print each file and its command
+#   tools/make_figures.sh              make the figures of tools/figures.txt in docs/images/plot
+#   tools/make_figures.sh --out DIR    make them in DIR instead
+#   tools/make_figures.sh --check      make them elsewhere, compare with those of docs/images/plot
+#   tools/make_figures.sh error        this one only; any of these may name some figures
 #
-# Environment, with defaults: OPENLTC=build/release/bin/openltc   FIGURES=docs/images/plot
+# Environment, with its default: OPENLTC=build/release/bin/openltc
 set -euo pipefail
-openltc="$(realpath -m "${OPENLTC:-$(dirname "${BASH_SOURCE[0]}")/../build/release/bin/openltc}")"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-figures="${FIGURES:-docs/images/plot}"
+tool="${OPENLTC:-build/release/bin/openltc}"
+out=docs/images/plot
+check=0
+names=()
 
-# FILE  WHAT OPTIONS...: what follows "openltc plot". Every checked-in figure stands here.
-list() {
-  cat <<'END'
-lobes.svg        lobes
-lobes_sweep.svg  lobes --matrix 0.7,0,0.4,0.2 --sweep b=-1.05:1.05:8
-polygon.svg      polygon
-literal.svg      literal
-END
+usage() {
+  sed -n 's/^#   //p' "$0" >&2
+  exit 2
 }
 
-make_all() { # folder
-  local file command
-  while read -r file command; do
-    # The words of a command hold no spaces.
-    "$openltc" plot $command --quiet -o "$1/$file" </dev/null
-    [[ -n "${2:-}" ]] || echo "$1/$file: openltc plot $command"
-  done < <(list)
-}
+while [[ $# -gt 0 ]]; do
+  case "$1" in
+    --check) check=1 ;;
+    --out)
+      [[ $# -gt 1 ]] || usage
+      out="$2"
+      shift
+      ;;
+    -*)
+      echo "figures: unknown option $1" >&2
+      usage
+      ;;
+    *) names+=("$1") ;;
+  esac
+  shift
+done
 
-case "${1:-}" in
-  --list) list; exit 0 ;;
-  -h | --help) sed -n '5,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
-  "" | --check) ;;
-  *) echo "make_figures: unknown option '$1'; there are --check, --list and --help" >&2; exit 2 ;;
-esac
-if [[ ! -x "$openltc" ]]; then
-  echo "make_figures: $openltc is not there; run make build, or set OPENLTC to the tool" >&2
+if [[ ! -x "$tool" ]]; then
+  echo "figures: $tool is not there; run 'make build'" >&2
   exit 1
 fi
-if [[ "${1:-}" == --check ]]; then
-  fresh="$(mktemp -d)"
-  trap 'rm -rf "$fresh"' EXIT
-  make_all "$fresh" quiet
-  if ! python3 tools/compare_figures.py "$figures" "$fresh"; then
-    echo "make_figures: run make figures, look at the pictures, and commit them" >&2
-    exit 1
-  fi
-  echo "make_figures: $(list | wc -l) figures are as they are checked in"
-else
-  mkdir -p "$figures"
-  make_all "$figures"
+if [[ "$check" == 1 ]]; then
+  out="$(mktemp -d)"
+  trap 'rm -rf "$out"' EXIT
 fi
+mkdir -p "$out"
+made=0
+while read -r name arguments; do
+  [[ -z "$name" || "$name" == \#* ]] && continue
+  [[ ${#names[@]} -gt 0 && " ${names[*]} " != *" $name "* ]] && continue
+  # Word splitting is wanted: the list has arguments without spaces in them.
+  # shellcheck disable=SC2086
+  "$tool" $arguments --quiet -o "$out/$name.svg"
+  [[ "$check" == 1 ]] || echo "$out/$name.svg"
+  made=$((made + 1))
+done < tools/figures.txt
+if [[ "$made" == 0 ]]; then
+  echo "figures: tools/figures.txt has none of: ${names[*]}" >&2
+  exit 1
+fi
+if [[ "$check" == 1 ]]; then tools/compare_figures.py docs/images/plot "$out"; fi

@@ -167,8 +167,9 @@ void draw_text(Figure& figure, Vec2d place, const std::string& text, const Type&
 
 double draw_paragraph(Figure& figure, Vec2d place, double width, const std::string& text,
                       const Type& type) {
+  constexpr double k_bold = 1.12; // wider than text_width says
   double y = place.y;
-  for (const std::string& line : lines_of(text, width, type.size)) {
+  for (const std::string& line : lines_of(text, width / (type.bold ? k_bold : 1), type.size)) {
     draw_text(figure, Vec2d(place.x, y), line, type);
     y += 1.4 * type.size;
   }
