@@ -6,6 +6,7 @@
 #include "cli/against.h"
 #include "cli/fit_job.h"
 #include "cli/plot.h"
+#include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/error_figure.h"
 #include "openltc/table/lobe_polynomial.h"
@@ -20,8 +21,10 @@ namespace openltc::cli {
 
 namespace {
 
-// What --table and --against call the lobes that need no file, as openltc render --lobes does.
+// What --table and --against call the lobes that need no file, as openltc render --lobes does; and
+// what --against calls the best single lobe of every point.
 constexpr const char *k_builtin_table = "table", *k_builtin_polynomial = "polynomial";
+constexpr const char* k_limit = "limit";
 
 struct ErrorArguments {
   PlotOutput output;
@@ -67,6 +70,14 @@ Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const ErrorArgu
   return fit::MeasuredLobes{read->label, read->lobes, read->horizon};
 }
 
+Result<fit::MeasuredLobes> limit_of(const brdf::Brdf& brdf, const fit::MeasuredLobes& start) {
+  const Result<fit::Objective> balanced = fit::find_objective("balanced");
+  if (!balanced) return balanced.error();
+  return fit::MeasuredLobes{"limit of single lobes",
+                            fit::best_single_lobes(brdf, start.lobes, *balanced),
+                            balanced->horizon};
+}
+
 std::string command_of(const ErrorArguments& arguments, const std::vector<std::string>& norms) {
   const ErrorArguments standard;
   std::string command = "openltc plot error";
@@ -96,7 +107,9 @@ Result<plot::Figure> make_figure(const ErrorArguments& arguments) {
     read_range(arguments.roughness, options.region.roughness_from, options.region.roughness_to);
   for (const std::string& what : {arguments.table, arguments.against}) {
     if (what.empty()) continue;
-    Result<fit::MeasuredLobes> lobes = choose_lobes(what, arguments);
+    const bool limit = !options.lobes.empty() && what == k_limit;
+    Result<fit::MeasuredLobes> lobes =
+        limit ? limit_of(*brdf, options.lobes.front()) : choose_lobes(what, arguments);
     if (!lobes) return lobes.error();
     options.lobes.push_back(std::move(*lobes));
   }
@@ -119,8 +132,12 @@ void add_plot_error(CLI::App& plot, int& exit_code) {
   command->add_option("--table", a.table, "Whose error: " + files)
       ->type_name("table|polynomial|FILE")
       ->capture_default_str();
-  command->add_option("--against", a.against, "A second one, and the difference: " + files)
-      ->type_name("table|polynomial|FILE");
+  command
+      ->add_option("--against", a.against,
+                   "A second one, and the difference: limit, the best single lobe at every "
+                   "point by itself, " +
+                       files)
+      ->type_name("limit|table|polynomial|FILE");
   std::string names;
   for (const fit::LobeErrorField& field : fit::lobe_error_fields())
     names += fmt::format("{}{}", names.empty() ? "" : "|", field.name);
@@ -156,7 +173,7 @@ void add_plot_error(CLI::App& plot, int& exit_code) {
       "\n"
       "Examples:\n"
       "  openltc plot error                                       error.svg, here\n"
-      "  openltc plot error --against polynomial --norm tv\n"
+      "  openltc plot error --against limit --norm tv             how near it is to the best\n"
       "  openltc plot error --table mine.json --against ltc_1.dds --norm bound -o error.png");
   command->callback([arguments, &exit_code] {
     exit_code = run_figure(arguments->output, [&] { return make_figure(*arguments); });
