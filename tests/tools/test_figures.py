@@ -154,6 +154,14 @@ class Figures(unittest.TestCase):
         for name in names:
             self.assertLess(os.path.getsize(os.path.join(k_pictures, name + ".svg")), k_largest)
 
+    def test_captions_say_the_command(self):
+        with open(os.path.join(k_root, "tools/figures.txt"), encoding="utf-8") as stream:
+            rows = [line.split(None, 1) for line in stream if not line.startswith("#")]
+        for name, command in rows:
+            with open(os.path.join(k_pictures, name + ".svg"), encoding="utf-8") as stream:
+                text = re.sub(r"\s*</text>\s*<text[^>]*>", " ", stream.read())
+            self.assertIn("openltc " + command.strip(), text)
+
     def make(self, *arguments):
         return subprocess.run([k_make, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               text=True, env={**os.environ, "OPENLTC": tool})
