@@ -16,8 +16,10 @@ namespace {
 // What was wrong with the arguments, and where to read on: one line.
 std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   std::string command = "openltc";
-  for (const CLI::App* chosen : app->get_subcommands())
-    command += " " + chosen->get_name();
+  for (const CLI::App* at = app; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    command += " " + at->get_name();
+  }
   std::string what = error.what();
   if (app->get_subcommands().empty() && !app->remaining().empty())
     what = fmt::format("no command or option '{}'", app->remaining()[0]);

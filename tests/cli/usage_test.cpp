@@ -13,7 +13,7 @@ TEST_CASE("help_of_the_tool_names_every_command_and_what_it_does") {
   const Run help = run_tool({"--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.err.empty());
-  for (const char* command : {"render", "fit", "compare", "inspect", "convert"})
+  for (const char* command : {"render", "fit", "compare", "inspect", "convert", "plot"})
     CHECK(contains(help.out, std::string("\n  ") + command + " "));
   CHECK(line_count(help.out) < 30); // the whole tool at a glance
   const Run version = run_tool({"--version"});
@@ -145,4 +145,13 @@ TEST_CASE("absurd_picture_sizes_are_refused_in_one_line") {
     CHECK(fails_naming(run, size));
     CHECK(folder.file_count() == 0);
   }
+}
+
+TEST_CASE("wrong_usage_of_a_figure_names_the_figure") {
+  for (const char* figure : {"error", "literal", "lobes", "polygon"}) {
+    const std::string command = std::string("openltc plot ") + figure;
+    CHECK(refuses_usage(run_tool({"plot", figure, "--no-such"}), command + ": "));
+    CHECK(refuses_usage(run_tool({"plot", figure, "--scale", "0"}), "see " + command + " --help"));
+  }
+  CHECK(refuses_usage(run_tool({"plot"}), "see openltc plot --help"));
 }

@@ -166,7 +166,7 @@ class Figures(unittest.TestCase):
 
     def test_captions_say_the_command(self):
         for name, arguments in commands():
-            # A caption breaks its lines where they are full, and leaves out what is the default.
+            # A caption breaks its lines where they are full.
             text = html.unescape(re.sub("<[^>]*>", " ", read(k_pictures, name + ".svg")))
             self.assertIn("openltc " + arguments.strip(), " ".join(text.split()), name)
 
