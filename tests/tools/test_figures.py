@@ -190,7 +190,7 @@ class Figures(unittest.TestCase):
         if tool is None:
             self.skipTest("no tool given")
         with tempfile.TemporaryDirectory() as folder:
-            run = self.make("--out", folder, "nonesuch")
+            run = self.make("--out", folder, "error", "nonesuch")
             self.assertEqual(run.returncode, 1)
             self.assertIn("nonesuch", run.stderr)
             self.assertEqual(self.make("--chekc").returncode, 2)
