@@ -17,7 +17,8 @@ k_chinese = "README.zh-CN.md"
 
 k_heading = re.compile(r"(#+) +(.+)")
 k_image = re.compile(r"!\[([^\]]*)\]\(([^)]+)\)")
-k_link = re.compile(r"(?<!!)\[[^\]]*\]\(([^)]+)\)")
+k_link = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)]+)\)")
+k_path = re.compile(r"[A-Za-z0-9_./-]+")
 k_typewriter = re.compile(r"`([^`]+)`")
 k_number = re.compile(r"[0-9](?:[0-9.,]*[0-9])?")
 k_comment = re.compile(r"\s+# .*$")
@@ -110,10 +111,17 @@ def numbers(text):
 
 
 def links(section):
-    # The two files link each other; addresses within a page follow its own headings.
-    both = {k_english: "(the other language)", k_chinese: "(the other language)"}
-    return sorted("#" if link.startswith("#") else both.get(link, link)
-                  for link in k_link.findall(section.text()))
+    """Addresses, with the words of the link where they are a file's name."""
+    found = []
+    for words, address in k_link.findall(section.text()):
+        if address in (k_english, k_chinese):
+            found.append("(the other language)")
+        elif address.startswith("#"):
+            found.append("#")  # follows the page's own headings
+        else:
+            name = "." in words and k_path.fullmatch(words)
+            found.append("[%s](%s)" % (words, address) if name else address)
+    return sorted(found)
 
 
 def compare(english, chinese):
@@ -249,6 +257,10 @@ class ReadmeLanguages(unittest.TestCase):
     def test_links(self):
         self.assert_breach("docs/lights.md", "docs/fitting.md", "links")
         self.assert_breach("[光源](docs/lights.md)", "光源", "links")
+        named = k_left.replace("[lights]", "[docs/lights.md]")
+        self.assertEqual(compare(named, k_right.replace("[光源]", "[docs/lights.md]")), [])
+        other = k_right.replace("[光源]", "[docs/fitting.md]")
+        self.assertTrue(any("links" in line for line in compare(named, other)))
         self.assert_breach("[English](README.md)", "English", "does not link")
 
     def test_code(self):
