@@ -329,6 +329,27 @@ FN LightPoint intersect_polygon(Polygon polygon, Vec3 position, Vec3 direction) 
   return result;
 }
 
+/// Where a unit direction that leads to the polygon meets it; the density is 1 / solid_angle.
+FN LightPoint polygon_point_towards(Polygon polygon, Vec3 position, Vec3 direction,
+                                    Real solid_angle) {
+  Vec3 normal = polygon_normal(polygon);
+  Vec3 to_origin = polygon_origin(polygon) - position;
+  Real h = dot(to_origin, normal);
+  Real slope = dot(direction, normal);
+  Mask faces = slope < Real(0.0);
+  if (polygon_two_sided(polygon)) {
+    faces = slope != Real(0.0);
+  }
+  LightPoint result;
+  result.direction = direction;
+  result.distance = h / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
+  result.cos_light = abs(slope);
+  result.solid_angle = solid_angle;
+  result.hit = faces && result.distance > Real(0.0) && result.cos_light > Real(1.0e-6) &&
+               !lies_in_plane(h, to_origin, Real(0.0));
+  return result;
+}
+
 /// The point of the polygon that `point` (world space, evenly distributed over its area) is.
 FN LightPoint polygon_point_at(Polygon polygon, Vec3 position, Vec3 point) {
   Vec3 to_origin = polygon_origin(polygon) - position;
