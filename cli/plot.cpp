@@ -8,11 +8,13 @@
 #include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/output_place.h"
+#include "openltc/brdf/choose.h"
 #include "openltc/plot/output.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <set>
 
 namespace openltc::cli {
@@ -59,13 +61,23 @@ int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure
       return fail_plot(output, Error{fmt::format("{}: named twice", path)});
   }
   const Result<plot::Figure> figure = make();
-  if (!figure) return fail_plot(output, figure.error());
+  if (!figure) {
+    const int failed = fail_plot(output, figure.error());
+    // What names an option first is wrong usage.
+    return figure.error().message.rfind("--", 0) == 0 ? k_exit_usage : failed;
+  }
   for (const std::string& path : paths) {
     if (Status ok = plot::write_figure(path, *figure, output.theme, output.scale); !ok)
       return fail_plot(output, ok.error());
     if (!output.quiet) fmt::print(stderr, "wrote {}\n", path);
   }
   return k_exit_ok;
+}
+
+Result<brdf::Brdf> brdf_of_option(const std::string& name_or_path) {
+  Result<brdf::Brdf> brdf = brdf::choose_brdf(name_or_path);
+  if (brdf || std::filesystem::path(name_or_path).extension() == ".binary") return brdf;
+  return Error{"--brdf: " + brdf.error().message};
 }
 
 void add_plot(CLI::App& app, int& exit_code) {
@@ -78,6 +90,9 @@ void add_plot(CLI::App& app, int& exit_code) {
                "  openltc plot lobes                       lobes.svg, here\n"
                "  openltc plot error --against ltc_1.dds -o error.png --background dark");
   plot->require_subcommand(1);
+  add_plot_error(*plot, exit_code);
+  add_plot_lobes(*plot, exit_code);
+  add_plot_polygon(*plot, exit_code);
   add_plot_literal(*plot, exit_code);
 }
 

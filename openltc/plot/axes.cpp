@@ -30,12 +30,11 @@ Pen series_pen(int series) {
 
 std::string tick_label(double value, double step) {
   if (std::abs(value) < 1e-9 * step) return "0";
-  // As many decimals as the step has.
-  const int decimals = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 8);
+  // As many decimals as the step has: two for 0.05, three for 0.025.
+  int decimals = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 8);
+  const double in_units = step * std::pow(10.0, decimals);
+  if (std::abs(in_units - std::round(in_units)) > 1e-6 * in_units && decimals < 8) ++decimals;
   std::string text = fmt::format("{:.{}f}", value, decimals);
-  const bool exact = std::abs(value / step - std::round(value / step)) < 1e-6 &&
-                     std::abs(std::stod(text) - value) < 1e-6 * step;
-  if (!exact) text = fmt::format("{:.{}f}", value, std::min(decimals + 1, 8));
   if (text[0] == '-') text = "−" + text.substr(1);
   return text;
 }

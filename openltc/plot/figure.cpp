@@ -5,6 +5,7 @@
 
 #include "openltc/base/markup.h"
 #include "openltc/image/file.h"
+#include "openltc/plot/marked_text.h"
 
 #include <fmt/format.h>
 
@@ -89,6 +90,14 @@ std::string style_sheet(Theme theme) {
   return text + "</style>\n";
 }
 
+void draw_png(Figure& figure, Vec2d corner, Vec2d size, const std::vector<std::uint8_t>& png,
+              bool smooth) {
+  figure.body += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+                             "preserveAspectRatio=\"none\"{} href=\"data:image/png;base64,{}\"/>\n",
+                             number(corner.x), number(corner.y), number(size.x), number(size.y),
+                             smooth ? "" : " style=\"image-rendering:pixelated\"", base64(png));
+}
+
 // Words of a text, and lines of about `width` made of them.
 std::vector<std::string> lines_of(const std::string& text, double width, double size) {
   std::vector<std::string> lines;
@@ -150,14 +159,17 @@ void draw_text(Figure& figure, Vec2d place, const std::string& text, const Type&
   if (type.turn_degrees != 0)
     style += fmt::format(" transform=\"rotate({} {} {})\"", number(type.turn_degrees),
                          number(place.x), number(place.y));
-  figure.body += fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>\n", number(place.x),
-                             number(place.y), style, markup_text(text));
+  if (type.marked) style += " xml:space=\"preserve\"";
+  figure.body +=
+      fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>\n", number(place.x), number(place.y), style,
+                  type.marked ? marked_text(text, type.size) : markup_text(text));
 }
 
 double draw_paragraph(Figure& figure, Vec2d place, double width, const std::string& text,
                       const Type& type) {
+  constexpr double k_bold = 1.12; // wider than text_width says
   double y = place.y;
-  for (const std::string& line : lines_of(text, width, type.size)) {
+  for (const std::string& line : lines_of(text, width / (type.bold ? k_bold : 1), type.size)) {
     draw_text(figure, Vec2d(place.x, y), line, type);
     y += 1.4 * type.size;
   }
@@ -184,11 +196,24 @@ Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const image::Image
                     bool smooth) {
   const Result<std::vector<std::uint8_t>> png = image::encode_png(display);
   if (!png) return png.error();
-  figure.body += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
-                             "preserveAspectRatio=\"none\"{} href=\"data:image/png;base64,{}\"/>\n",
-                             number(corner.x), number(corner.y), number(size.x), number(size.y),
-                             smooth ? "" : " style=\"image-rendering:pixelated\"", base64(*png));
+  draw_png(figure, corner, size, *png, smooth);
   return Success{};
+}
+
+Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const image::PaletteImage& display) {
+  const Result<std::vector<std::uint8_t>> png = image::encode_png(display);
+  if (!png) return png.error();
+  draw_png(figure, corner, size, *png, true);
+  return Success{};
+}
+
+void draw_dots(Figure& figure, std::span<const Vec2d> places, const Pen& pen) {
+  if (places.empty()) return;
+  // One path of lines without length, under round caps.
+  std::string d;
+  for (const Vec2d& at : places)
+    d += fmt::format("M{:.1f} {:.1f}h0", at.x, at.y);
+  figure.body += fmt::format("<path d=\"{}\"{} stroke-linecap=\"round\"/>\n", d, style_of(pen));
 }
 
 void begin_clip(Figure& figure, Vec2d corner, Vec2d size) {

@@ -13,6 +13,7 @@
 
 #include "openltc/base/result.h"
 #include "openltc/image/image.h"
+#include "openltc/image/palette.h"
 #include "openltc/target/vec.h"
 
 #include <span>
@@ -26,7 +27,7 @@ enum class Theme { automatic, light, dark };
 struct Pen {
   std::string color = "ink"; ///< of the line
   double width = 1;
-  std::string dash; ///< as SVG has it, "4 3"; empty: solid
+  std::string dash{}; ///< as SVG has it, "4 3"; empty: solid
   double opacity = 1;
   std::string fill = "none";
   double fill_opacity = 1;
@@ -41,6 +42,7 @@ struct Type {
   bool bold = false;
   bool italic = false;
   double turn_degrees = 0; ///< about its place; -90 reads upwards
+  bool marked = false;     ///< *...* is slanted, _{...} lowered
 };
 
 struct Figure {
@@ -71,6 +73,12 @@ double text_width(const std::string& text, double size);
 /// between pixels; cells of maps want sharp edges.
 Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const image::Image& display,
                     bool smooth = true);
+
+/// The same of few colours: fewer bytes.
+Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const image::PaletteImage& display);
+
+/// Round dots, as wide as the pen.
+void draw_dots(Figure& figure, std::span<const Vec2d> places, const Pen& pen);
 
 /// What is drawn until end_clip is cut off outside of the rectangle.
 void begin_clip(Figure& figure, Vec2d corner, Vec2d size);
