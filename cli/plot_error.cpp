@@ -4,17 +4,15 @@
 // openltc plot error: heat maps of a table's error, or of two and their difference.
 
 #include "cli/against.h"
-#include "cli/commands.h"
 #include "cli/fit_job.h"
 #include "cli/plot.h"
-#include "openltc/brdf/choose.h"
+#include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/error_figure.h"
 #include "openltc/table/lobe_polynomial.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -23,8 +21,10 @@ namespace openltc::cli {
 
 namespace {
 
-// What --table and --against call the lobes that need no file, as openltc render --lobes does.
+// What --table and --against call the lobes that need no file, as openltc render --lobes does; and
+// what --against calls the best single lobe of every point.
 constexpr const char *k_builtin_table = "table", *k_builtin_polynomial = "polynomial";
+constexpr const char* k_limit = "limit";
 
 struct ErrorArguments {
   PlotOutput output;
@@ -47,14 +47,13 @@ bool read_range(const std::string& text, double& from, double& to) {
   return *from_end == 0 && *to_end == 0 && from >= 0 && from < to && to <= 1;
 }
 
-Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const brdf::Brdf& brdf,
-                                        const PlotOutput& output) {
+Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const ErrorArguments& arguments) {
   const bool table = what == k_builtin_table;
   if (table || what == k_builtin_polynomial) {
-    if (brdf.name != "ggx")
+    if (arguments.brdf != "ggx")
       return Error{fmt::format("the built-in {0} is of ggx, not of {1}; openltc fit --brdf {2} -o "
                                "FILE makes one of {1}, for --table FILE",
-                               what, brdf.name, shell_word(brdf.name))};
+                               what, arguments.brdf, shell_word(arguments.brdf))};
     if (table) {
       const table::LobeTable& own = table::builtin_ggx_table();
       return fit::MeasuredLobes{fmt::format("built-in table, {} × {}", own.columns, own.rows),
@@ -67,8 +66,16 @@ Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const brdf::Brd
   std::string note;
   const Result<fit::Candidate> read = read_candidate(what, note);
   if (!read) return read.error();
-  if (!note.empty() && !output.quiet) fmt::print(stderr, "{}\n", note);
+  if (!note.empty() && !arguments.output.quiet) fmt::print(stderr, "{}\n", note);
   return fit::MeasuredLobes{read->label, read->lobes, read->horizon};
+}
+
+Result<fit::MeasuredLobes> limit_of(const brdf::Brdf& brdf, const fit::MeasuredLobes& start) {
+  const Result<fit::Objective> balanced = fit::find_objective("balanced");
+  if (!balanced) return balanced.error();
+  return fit::MeasuredLobes{"limit of single lobes",
+                            fit::best_single_lobes(brdf, start.lobes, *balanced),
+                            balanced->horizon};
 }
 
 std::string command_of(const ErrorArguments& arguments, const std::vector<std::string>& norms) {
@@ -89,31 +96,25 @@ std::string command_of(const ErrorArguments& arguments, const std::vector<std::s
   return command;
 }
 
-Result<plot::Figure> make_figure(const ErrorArguments& arguments, const brdf::Brdf& brdf) {
+Result<plot::Figure> make_figure(const ErrorArguments& arguments) {
+  const Result<brdf::Brdf> brdf = brdf_of_option(arguments.brdf);
+  if (!brdf) return brdf.error();
   plot::ErrorFigureOptions options;
-  options.brdf = brdf;
+  options.brdf = *brdf;
   options.region.points = arguments.points;
   if (!arguments.norms.empty()) options.norms = arguments.norms;
   if (!arguments.roughness.empty())
     read_range(arguments.roughness, options.region.roughness_from, options.region.roughness_to);
   for (const std::string& what : {arguments.table, arguments.against}) {
     if (what.empty()) continue;
-    Result<fit::MeasuredLobes> lobes = choose_lobes(what, brdf, arguments.output);
+    const bool limit = !options.lobes.empty() && what == k_limit;
+    Result<fit::MeasuredLobes> lobes =
+        limit ? limit_of(*brdf, options.lobes.front()) : choose_lobes(what, arguments);
     if (!lobes) return lobes.error();
     options.lobes.push_back(std::move(*lobes));
   }
   options.command = command_of(arguments, options.norms);
   return plot::make_error_figure(options);
-}
-
-int run(const ErrorArguments& arguments) {
-  const Result<brdf::Brdf> brdf = brdf::choose_brdf(arguments.brdf);
-  if (!brdf) {
-    const bool file = arguments.brdf.ends_with(".binary"); // against a name, which is wrong usage
-    fail_plot(arguments.output, brdf.error());
-    return file ? k_exit_failed : k_exit_usage;
-  }
-  return run_figure(arguments.output, [&] { return make_figure(arguments, *brdf); });
 }
 
 } // namespace
@@ -131,8 +132,12 @@ void add_plot_error(CLI::App& plot, int& exit_code) {
   command->add_option("--table", a.table, "Whose error: " + files)
       ->type_name("table|polynomial|FILE")
       ->capture_default_str();
-  command->add_option("--against", a.against, "A second one, and the difference: " + files)
-      ->type_name("table|polynomial|FILE");
+  command
+      ->add_option("--against", a.against,
+                   "A second one, and the difference: limit, the best single lobe at every "
+                   "point by itself, " +
+                       files)
+      ->type_name("limit|table|polynomial|FILE");
   std::string names;
   for (const fit::LobeErrorField& field : fit::lobe_error_fields())
     names += fmt::format("{}{}", names.empty() ? "" : "|", field.name);
@@ -168,9 +173,11 @@ void add_plot_error(CLI::App& plot, int& exit_code) {
       "\n"
       "Examples:\n"
       "  openltc plot error                                       error.svg, here\n"
-      "  openltc plot error --against polynomial --norm tv\n"
+      "  openltc plot error --against limit --norm tv             how near it is to the best\n"
       "  openltc plot error --table mine.json --against ltc_1.dds --norm bound -o error.png");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] {
+    exit_code = run_figure(arguments->output, [&] { return make_figure(*arguments); });
+  });
 }
 
 } // namespace openltc::cli

@@ -2,23 +2,24 @@
 # Copyright (c) 2026 The OpenLTC authors
 # SPDX-License-Identifier: MIT
 """Figures of docs/fitting.md: runs `openltc fit`, rewrites the tables between the page's markers and
-draws its heat maps. With --times, which wants a quiet machine, its table of times instead.
+draws its heat maps by `openltc plot error`. With --times, which wants a quiet machine, its table of
+times instead; with --maps, the heat maps alone.
 
-    tools/fit_figures.py [--times] [folder of the programs]
+    tools/fit_figures.py [--times | --maps] [folder of the programs]
 
 The published table is compared with when ../shared/tables is there; without it the page is left
 alone, since half of its figures would be missing.
 """
 
 import json
-import math
 import pathlib
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PUBLISHED = ROOT.parent / "shared" / "tables" / "ltc_code_1.dds"
+PUBLISHED_HERE = "../shared/tables/ltc_code_1.dds"  # from ROOT, as captions say it
+PUBLISHED = ROOT / PUBLISHED_HERE
 PAGE = ROOT / "docs" / "fitting.md"
 IMAGES = ROOT / "docs" / "images"
 
@@ -57,61 +58,12 @@ def markdown(head, rows):
     return "\n".join(lines)
 
 
-def inferno(t):
-    """A perceptually uniform map, dark to bright: anchors of matplotlib's inferno (CC0)."""
-    anchors = [(0, 0, 4), (40, 11, 84), (101, 21, 110), (159, 42, 99), (212, 72, 66),
-               (245, 125, 21), (250, 193, 39), (252, 255, 164)]
-    x = round(48 * min(max(t, 0.0), 1.0)) / 48 * (len(anchors) - 1)  # steps: smaller files
-    i = min(int(x), len(anchors) - 2)
-    return "#" + "".join(f"{round(a + (b - a) * (x - i)):02x}" for a, b in zip(anchors[i], anchors[i + 1]))
-
-
-def heat_maps(data, names, metric, title, path):
-    """One map for each candidate over roughness and view angle, with one colour scale."""
-    region = data["regions"][0]
-    maps = [region["candidates"][i]["cells"][metric] for i in range(len(names))]
-    thetas = region["axes"]["theta_degrees"]
-    rows, columns = len(thetas), len(maps[0]) // len(thetas)
-    ordered = sorted(v for m in maps for v in m)
-    top = ordered[int(0.98 * (len(ordered) - 1))]
-    cell, gap, left, head = 5, 34, 46, 58
-    side = cell * columns
-    width, height = left + len(maps) * (side + gap) + 30, head + side + 44
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-           f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11">',
-           '<style>text{fill:#222}@media(prefers-color-scheme:dark){text{fill:#ddd}}</style>',
-           f'<text x="{left}" y="16" font-size="13" font-weight="bold">{title}</text>']
-    for k, values in enumerate(maps):
-        x0 = left + k * (side + gap)
-        out.append(f'<text x="{x0}" y="{head - 10}">{names[k]}</text>')
-        for j in range(rows):
-            y = head + side - (j + 1) * cell
-            i = 0
-            while i < columns:  # runs of one colour become one rectangle
-                colour, start = inferno(values[j * columns + i] / top), i
-                while i < columns and inferno(values[j * columns + i] / top) == colour:
-                    i += 1
-                out.append(f'<rect x="{x0 + start * cell}" y="{y}" width="{(i - start) * cell}" '
-                           f'height="{cell}" fill="{colour}" shape-rendering="crispEdges"/>')
-        for roughness in (0.2, 0.4, 0.6, 0.8, 1.0):
-            x = x0 + (roughness - 0.06) / 0.94 * side
-            out.append(f'<text x="{x:.1f}" y="{head + side + 14}" text-anchor="middle">{roughness:g}</text>')
-        out.append(f'<text x="{x0 + side / 2}" y="{head + side + 30}" text-anchor="middle">roughness</text>')
-        if k == 0:
-            end = math.sqrt(1 - math.cos(math.radians(89.7)))
-            for degrees in (0, 30, 60, 90):
-                share = math.sqrt(1 - math.cos(math.radians(degrees))) / end
-                y = head + side * (1 - min(share, 1.0))
-                out.append(f'<text x="{x0 - 6}" y="{y + 4:.1f}" text-anchor="end">{degrees}°</text>')
-            out.append(f'<text x="12" y="{head + side / 2}" text-anchor="middle" '
-                       f'transform="rotate(-90 12 {head + side / 2})">view angle θ</text>')
-    bar = left + len(maps) * (side + gap) - gap + 12
-    for step in range(50):
-        y = head + side - (step + 1) * side / 50
-        out.append(f'<rect x="{bar}" y="{y:.1f}" width="10" height="{side / 50 + 0.5:.1f}" fill="{inferno((step + 0.5) / 50)}"/>')
-    out.append(f'<text x="{bar + 13}" y="{head + 8}">{top:.2g}</text>')
-    out.append(f'<text x="{bar + 13}" y="{head + side}">0</text></svg>')
-    path.write_text("\n".join(out) + "\n")
+def heat_maps(openltc):
+    """The built-in table beside the published one and beside the limit of single lobes."""
+    norms = [word for name in ("tv", "l2", "peak", "leak") for word in ("--norm", name)]
+    for name, other in (("fit_published", PUBLISHED_HERE), ("fit_limit", "limit")):
+        subprocess.run([openltc.resolve(), "plot", "error", "--quiet", "--against", other, *norms,
+                        "-o", IMAGES / f"{name}.svg"], check=True, cwd=ROOT)
 
 
 def replace_block(text, name, block):
@@ -127,7 +79,8 @@ def times(bin_folder):
     rows = []
     for entry in json.loads(run.stdout)["benchmarks"]:
         name = entry["name"].removesuffix("/real_time")
-        value = f"{float(f'{entry["real_time"]:.3g}'):g} {entry['time_unit'].replace('us', 'µs')}"
+        rounded = float(f"{entry['real_time']:.3g}")
+        value = f"{rounded:g} {entry['time_unit'].replace('us', 'µs')}"
         if "ns/point" in entry:
             value += f" ({1e9 * entry['ns/point']:.1f} ns a point)"
         rows.append([name, value])
@@ -135,7 +88,7 @@ def times(bin_folder):
 
 
 def main():
-    arguments = [a for a in sys.argv[1:] if a != "--times"]
+    arguments = [a for a in sys.argv[1:] if a not in ("--times", "--maps")]
     bin_folder = pathlib.Path(arguments[0]) if arguments else ROOT / "build" / "release" / "bin"
     openltc = bin_folder / "openltc"
     if "--times" in sys.argv[1:]:
@@ -143,6 +96,10 @@ def main():
         return
     if not PUBLISHED.exists():
         print(f"fit_figures: {PUBLISHED} is not there; {PAGE.name} is left as it is")
+        return
+    IMAGES.mkdir(exist_ok=True)
+    heat_maps(openltc)
+    if "--maps" in sys.argv[1:]:
         return
 
     main_report = report(openltc, "--against", PUBLISHED)
@@ -188,12 +145,6 @@ def main():
     for name, block in blocks.items():
         text = replace_block(text, name, block)
     PAGE.write_text(text)
-    IMAGES.mkdir(exist_ok=True)
-    labels = ["balanced, 64²", "published", "limit"]
-    for metric, title in (("tv", "Total variation: share of the energy misplaced"),
-                          ("l2", "Relative L2 distance"), ("peak", "Error of the peak"),
-                          ("leak", "Leak: share of the lobe below the surface")):
-        heat_maps(main_report, labels, metric, title, IMAGES / f"fit_{metric}.svg")
 
 
 if __name__ == "__main__":

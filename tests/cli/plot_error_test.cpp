@@ -88,6 +88,20 @@ TEST_CASE("plot_error_of_a_table_with_itself_is_no_difference") {
   CHECK(contains(text, "roughness"));
 }
 
+TEST_CASE("plot_error_shows_the_limit_of_single_lobes_which_a_coarse_table_does_not_reach") {
+  const TemporaryFolder folder;
+  const std::string coarse = folder.file("coarse.json"), svg = folder.file("limit.svg");
+  REQUIRE(run_tool({"fit", "--size", "4", "-o", coarse}).exit_code == 0);
+  REQUIRE(plot_error({"--table", coarse, "--against", "limit", "--norm", "tv", "--norm", "l2", "-o",
+                      svg, "--quiet"})
+              .exit_code == 0);
+  const std::vector<Shown> shown = shown_in(text_of(svg));
+  REQUIRE(shown.size() == 4);
+  for (const std::size_t norm : {0, 2})
+    CHECK(shown[norm].mean > shown[norm + 1].mean + 0.001);
+  CHECK(fails_naming(plot_error({"--table", "limit", "-o", svg}), "limit"));
+}
+
 TEST_CASE("plot_error_says_what_is_wrong_and_writes_nothing") {
   const TemporaryFolder folder;
   const std::string svg = folder.file("none.svg");
