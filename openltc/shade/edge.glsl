@@ -31,25 +31,35 @@ FN Vec3 safe_direction(Vec3 v) {
                 Vec3(Real(0.0), Real(0.0), Real(1.0)));
 }
 
-/// theta / sin(theta) from x = cos(theta) and sin2 = sin(theta)^2, for 0 <= theta < pi.
+/// theta / sin(theta) from x = cos(theta), for 0 <= theta <= pi/2; of -x for x < 0.
 ///
-/// For x >= 0 a rational minimax fit of degree 3/3, relative error 1.0e-9; for x < 0 from
-/// theta = pi - theta', which is exact. It grows without bound towards x = -1, where 1 - x^2 has no
-/// digits left; so the caller, who knows the vectors, passes sin2 as well.
-FN Real theta_over_sin(Real x, Real sin2) {
+/// A rational minimax fit of degree 3/3, relative error 1.0e-9.
+FN Real acute_over_sin(Real x) {
   Real y = min(abs(x), Real(1.0));
   Real p = Real(1.5707963252152057) +
            y * (Real(1.638642066993385) +
                 y * (Real(0.35581734455759484) + y * Real(0.004572514079188905)));
   Real q = Real(1.0) + y * (Real(1.679811571269012) +
                             y * (Real(0.7959248032398663) + y * Real(0.09409187287776444)));
-  Real v = p * reciprocal(q);
-  // Uniform shortcut: no lane's edge is longer than a right angle.
-  if (!any_lane(x < Real(0.0))) {
-    return v;
-  }
+  return p * reciprocal(q);
+}
+
+/// theta / sin(theta) for 0 <= theta < pi, from `acute`, that of x = cos(theta), and sin2 =
+/// sin(theta)^2: beyond a right angle theta = pi - theta', which is exact. It grows without bound
+/// towards x = -1, where 1 - x^2 has no digits left; so the caller, who knows the vectors, passes
+/// sin2 as well.
+FN Real any_over_sin(Real x, Real sin2, Real acute) {
   Real inv_sin = inversesqrt(max(sin2, Real(k_tiny)));
-  return select(x < Real(0.0), k_pi * inv_sin - v, v);
+  return select(x < Real(0.0), k_pi * inv_sin - acute, acute);
+}
+
+FN Real theta_over_sin(Real x, Real sin2) {
+  Real acute = acute_over_sin(x);
+  // Uniform shortcut: no lane's angle is beyond a right one.
+  if (!any_lane(x < Real(0.0))) {
+    return acute;
+  }
+  return any_over_sin(x, sin2, acute);
 }
 
 /// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
@@ -60,7 +70,12 @@ FN Real theta_over_sin(Real x, Real sin2) {
 FN Vec3 edge_term_scaled(Vec3 a, Vec3 b, Vec3 d, Real inv_a, Real inv_b) {
   Real scale = inv_a * inv_b;
   Vec3 c = cross(a, d);
-  return c * (scale * theta_over_sin(dot(a, b) * scale, dot(c, c) * scale * scale));
+  Real x = dot(a, b) * scale;
+  Real weight = acute_over_sin(x);
+  if (any_lane(x < Real(0.0))) {
+    weight = any_over_sin(x, dot(c, c) * scale * scale, weight);
+  }
+  return c * (scale * weight);
 }
 
 FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {

@@ -215,6 +215,9 @@ FN Vec3 sum_small_polygon(SmallPolygon small, Lobe lobe) {
          small_part_term(small.center - small.v, quarter, lobe);
 }
 
+/// Square of the angular radius below which the small form begins, 0.05.
+CONSTANT k_small_radius2 = 0.0025;
+
 /// How much of the edge sums a polygon wants, 0 to 1; the rest is its small form.
 ///
 /// The edge terms of a small polygon nearly cancel, of which rounding makes 1e-7 over its angular
@@ -225,7 +228,7 @@ FN Real polygon_exactness(Vec3 center, Real radius, Lobe lobe) {
   Real reach2 = radius * radius * lobe_stretch2(lobe);
   Real o2 = max(dot(o, o), Real(k_tiny));
   // Uniform shortcut: no lane sees it small.
-  if (all_lanes(reach2 >= Real(0.0025) * o2)) {
+  if (all_lanes(reach2 >= Real(k_small_radius2) * o2)) {
     return Real(1.0);
   }
   Real reach = sqrt(reach2);
@@ -248,10 +251,18 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
   Real h = dot(to_origin, normal);
   Real side = select(h < Real(0.0), Real(-1.0), polygon_two_sided(polygon) ? Real(1.0) : Real(0.0));
   side = select(lies_in_plane(h, to_origin, Real(0.0)), Real(0.0), side);
-  Vec3 center = to_shading(frame, polygon_centroid(polygon) - position);
+  Vec3 to_center = polygon_centroid(polygon) - position;
   Real radius = polygon_radius(polygon);
-  Real exact_diffuse = polygon_exactness(center, radius, cosine_lobe());
-  Real exact_specular = polygon_exactness(center, radius, lobe);
+  Vec3 center = to_center;
+  Real exact_diffuse = Real(1.0);
+  Real exact_specular = Real(1.0);
+  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
+  // counts as much longer as the distance can become.
+  if (!all_lanes(radius * radius >= Real(k_small_radius2) * dot(to_center, to_center))) {
+    center = to_shading(frame, to_center);
+    exact_diffuse = polygon_exactness(center, radius, cosine_lobe());
+    exact_specular = polygon_exactness(center, radius, lobe);
+  }
 
   EdgeSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
