@@ -49,9 +49,9 @@ std::string command_of(const LobesArguments& arguments) {
   command += " --brdf " + shell_word(*arguments.brdf);
   const LobesArguments defaults;
   if (arguments.theta != defaults.theta)
-    command += fmt::format(" --theta {}", fmt::join(arguments.theta, " "));
+    command += fmt::format(" --theta {}", fmt::join(arguments.theta, ","));
   if (arguments.roughness != defaults.roughness)
-    command += fmt::format(" --roughness {}", fmt::join(arguments.roughness, " "));
+    command += fmt::format(" --roughness {}", fmt::join(arguments.roughness, ","));
   return command;
 }
 
@@ -115,7 +115,7 @@ void add_plot_lobes(CLI::App& plot, int& exit_code) {
       "  openltc plot lobes --row skew                       one of them\n"
       "  openltc plot lobes --matrix 0.5,-0.6,0.3,0          a lobe of your own\n"
       "  openltc plot lobes --matrix 0.6,0,0.6,0 --sweep c=0.6:0.1:6\n"
-      "  openltc plot lobes --brdf ggx --theta 0 45 75 --roughness 0.3 0.6");
+      "  openltc plot lobes --brdf ggx --theta 0,45,75 --roughness 0.3,0.6");
   Choices<plot::StandardRow> rows = row_choices();
   command->add_option("--row", a.rows, "A row of the usual four; repeatable")
       ->transform(one_of(rows))
@@ -132,10 +132,14 @@ void add_plot_lobes(CLI::App& plot, int& exit_code) {
   auto* brdf = command->add_option("--brdf", a.brdf,
                                    "Lobes fitted to a BRDF by name (openltc fit --list), or a MERL "
                                    "file FILE.binary");
-  command->add_option("--theta", a.theta, "View angles of --brdf, degrees [0 30 60 80]")
+  command->add_option("--theta", a.theta, "View angles of --brdf, degrees [0,30,60,80]")
+      ->delimiter(',')
+      ->type_name("A,B,...")
       ->check(CLI::Range(0.0, 89.9))
       ->needs(brdf);
   command->add_option("--roughness", a.roughness, "Roughnesses of --brdf [0.5]")
+      ->delimiter(',')
+      ->type_name("A,B,...")
       ->check(CLI::Range(0.0, 1.0))
       ->needs(brdf);
   command->callback([arguments, &exit_code] {
