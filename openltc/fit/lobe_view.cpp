@@ -40,7 +40,7 @@ DiscWindow window_of_lobe(const Quadrature& q) {
   DiscWindow window;
   if (3 * deviation < 0.55) {
     window.center_x = mean;
-    window.half = std::max(3 * deviation, 0.01);
+    window.half = std::max(3 * deviation, 1e-4);
   }
   return window;
 }
