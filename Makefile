@@ -10,7 +10,7 @@ FUZZ_LIGHTS ?= 10000000
 FUZZ_CXX ?= $(firstword $(shell command -v clang++-14 clang++ clang++-19 clang++-18))
 sources = $(shell git ls-files '*.h' '*.cpp')
 
-.PHONY: help setup build demo lights test bench format sanitize fuzz fuzz-lights clean
+.PHONY: help setup build demo lights figures test bench format sanitize fuzz fuzz-lights clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -27,6 +27,9 @@ demo: build ## Render the demo scene by LTC and by reference, and compare the tw
 
 lights: build ## Render every shape of light by LTC and by reference, and compare
 	@tools/lights_demo.sh
+
+figures: build ## Make the figures of the docs: docs/images/plot
+	@tools/make_figures.sh
 
 test: build ## Run all tests
 	@tools/test.sh release

@@ -17,9 +17,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 double OPENLTC_PASTE(fma_peak_, OPENLTC_ISA)(int rounds, float* sink) {
   const HWY_FULL(float) d;
-  // Ten chains: a multiply-add takes about four cycles, and two start in each.
+  // Ten chains: a multiply-add takes about four cycles, and two start in each. Each begins with a
+  // number of its own, or the compiler would find them all the same and run one.
   const auto a = hn::Set(d, 0.999f), b = hn::Set(d, sink[0]);
-  auto x0 = b, x1 = b, x2 = b, x3 = b, x4 = b, x5 = b, x6 = b, x7 = b, x8 = b, x9 = b;
+  const auto start = [&](float k) { return hn::Set(d, k * sink[0]); };
+  auto x0 = start(0), x1 = start(1), x2 = start(2), x3 = start(3), x4 = start(4), x5 = start(5),
+       x6 = start(6), x7 = start(7), x8 = start(8), x9 = start(9);
   for (int i = 0; i < rounds; ++i) {
     x0 = hn::MulAdd(x0, a, b);
     x1 = hn::MulAdd(x1, a, b);

@@ -18,6 +18,7 @@ void add_compare(CLI::App& app, int& exit_code);
 void add_convert(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
 void add_inspect(CLI::App& app, int& exit_code);
+void add_plot(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 
 } // namespace openltc::cli

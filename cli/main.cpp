@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   openltc::cli::add_fit(app, exit_code);
   openltc::cli::add_inspect(app, exit_code);
   openltc::cli::add_convert(app, exit_code);
+  openltc::cli::add_plot(app, exit_code);
 
   try {
     app.parse(argc, argv);

@@ -35,5 +35,14 @@ if(NOT meshoptimizer_FOUND)
   message(STATUS "meshoptimizer not found: glTF files with EXT_meshopt_compression will be refused")
 endif()
 
+# Optional: PNG pictures of figures.
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(rsvg QUIET IMPORTED_TARGET GLOBAL librsvg-2.0)
+endif()
+if(NOT TARGET PkgConfig::rsvg)
+  message(STATUS "librsvg not found: openltc plot writes .svg only")
+endif()
+
 # Debian's CMake may otherwise pick a Python that is not the distribution's.
 find_program(OPENLTC_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)

@@ -21,7 +21,7 @@ import os
 import re
 import sys
 
-k_layers = ["shade", "target", "base", "image", "brdf", "table", "fit", "light", "scene", "render"]
+k_layers = ["shade", "target", "base", "image", "brdf", "table", "fit", "light", "scene", "render", "plot"]
 k_source_endings = (".h", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh", ".mjs", ".cmake")
 k_source_names = ("CMakeLists.txt", "Makefile", "run")
 k_skipped_folders = {".git", "build", "out", "node_modules", "__pycache__"}
@@ -29,7 +29,7 @@ k_root_list_lines = 80
 
 k_include = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 k_private_headers = re.compile(
-    r"^(embree[34]?/|tiny_gltf|draco/|meshoptimizer|OpenEXR/|Imf|png\.h|jpeglib|stb_|stb/)")
+    r"^(embree[34]?/|tiny_gltf|draco/|meshoptimizer|OpenEXR/|Imf|png\.h|jpeglib|stb_|stb/|librsvg/)")
 k_private_headers_allowed = {"openltc/render/embree.h"}
 
 

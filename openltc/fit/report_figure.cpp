@@ -7,6 +7,7 @@
 
 #include "openltc/fit/report_figure.h"
 
+#include "openltc/base/markup.h"
 #include "openltc/image/colormap.h"
 
 #include <fmt/format.h>
@@ -68,23 +69,6 @@ Bytes stored_zlib(const Bytes& raw) {
   return out;
 }
 
-std::string base64(const Bytes& bytes) {
-  constexpr std::string_view k_digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
-    const std::uint32_t word = (std::uint32_t(bytes[i]) << 16) |
-                               (left > 1 ? std::uint32_t(bytes[i + 1]) << 8 : 0u) |
-                               (left > 2 ? std::uint32_t(bytes[i + 2]) : 0u);
-    text += k_digits[(word >> 18) & 63];
-    text += k_digits[(word >> 12) & 63];
-    text += left > 1 ? k_digits[(word >> 6) & 63] : '=';
-    text += left > 2 ? k_digits[word & 63] : '=';
-  }
-  return text;
-}
-
 // Palette entry 0 is transparent; 1..255 run along the colour map. What is not a number is 1.
 std::uint8_t palette_index(double t) {
   if (!std::isfinite(t)) return 1;
@@ -124,16 +108,7 @@ std::string line(double x0, double y0, double x1, double y1, const char* style) 
 
 std::string label_at(double x, double y, const char* style, const std::string& text) {
   return fmt::format("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>", style, x, y,
-                     html_text(text));
-}
-
-// A round step that cuts a range into about `count`.
-double round_step(double range, int count) {
-  const double raw = range / count;
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 2.5, 5.0})
-    if (raw <= factor * power * 1.0001) return factor * power;
-  return 10 * power;
+                     markup_text(text));
 }
 
 // A vertical colour bar: labels from bottom to top.
@@ -156,54 +131,6 @@ std::string vertical_bar(image::Colormap map,
 
 } // namespace
 
-std::string html_text(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < text.size() ? std::uint8_t(text[i + k]) : std::uint8_t(0);
-    };
-    const std::uint8_t c = byte(0);
-    std::size_t size = 1;
-    if (c >= 0x80) {
-      size = c >= 0xc2 && c < 0xe0 ? 2 : c >= 0xe0 && c < 0xf0 ? 3 : c >= 0xf0 && c < 0xf5 ? 4 : 0;
-      for (std::size_t k = 1; k < size; ++k)
-        if ((byte(k) & 0xc0) != 0x80) size = 0;
-      // Overlong forms, surrogates and what lies beyond U+10FFFF.
-      if ((c == 0xe0 && byte(1) < 0xa0) || (c == 0xed && byte(1) > 0x9f) ||
-          (c == 0xf0 && byte(1) < 0x90) || (c == 0xf4 && byte(1) > 0x8f))
-        size = 0;
-    } else if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7f) {
-      size = 0;
-    }
-    if (size == 0) {
-      out += "\xef\xbf\xbd";
-      ++i;
-      continue;
-    }
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    case '\'':
-      out += "&#39;";
-      break;
-    default:
-      out += text.substr(i, size);
-    }
-    i += size;
-  }
-  return out;
-}
-
 std::string html_number(double x) {
   if (!std::isfinite(x)) return "–";
   const double size = std::abs(x);
@@ -225,7 +152,7 @@ std::string heat_map(const ErrorMap& map, const MeasureOptions& region, const Lo
   std::string svg = fmt::format(
       "<svg class=\"map\" viewBox=\"0 0 240 222\" width=\"240\" height=\"222\" role=\"img\" "
       "aria-label=\"{}\" data-region=\"{}\" data-candidate=\"{}\" data-field=\"{}\">",
-      html_text(label), region_index, candidate_index, field.name);
+      markup_text(label), region_index, candidate_index, field.name);
   svg += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
                      "preserveAspectRatio=\"none\" href=\"{}\"/>",
                      left, upper, side, side,
@@ -289,7 +216,7 @@ std::string lobe_disc(const LobePicture& picture, const WorstCell& cell, const s
   }
   std::string svg = fmt::format("<svg class=\"disc\" viewBox=\"0 0 176 176\" width=\"176\" "
                                 "height=\"176\" role=\"img\" aria-label=\"{}\">",
-                                html_text(label));
+                                markup_text(label));
   svg += fmt::format(
       "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"{}\"/>", margin, margin, side,
       side, png_uri(indices, WorstCell::k_side, WorstCell::k_side, image::Colormap::viridis));

@@ -12,10 +12,6 @@
 
 namespace openltc::fit {
 
-/// Text for HTML, in elements and in quoted attributes. Control characters and bytes that are not
-/// UTF-8 become U+FFFD.
-std::string html_text(std::string_view text);
-
 /// A number for people: four significant digits at most, a dash for what is not finite.
 std::string html_number(double x);
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
+#include "openltc/base/markup.h"
 #include "openltc/fit/report.h"
 #include "openltc/fit/report_figure.h"
 #include "openltc/fit/report_style.h"
@@ -59,7 +60,7 @@ std::string group_head(const Report& report, int columns) {
   std::string text = "<tr class=\"group\"><th></th>";
   for (std::size_t c = 0; c < report.candidates.size(); ++c)
     text += fmt::format("<th class=\"first\" colspan=\"{}\">{}</th>",
-                        c == 0 ? columns : columns + 1, html_text(report.candidates[c].label));
+                        c == 0 ? columns : columns + 1, markup_text(report.candidates[c].label));
   return text + "</tr>";
 }
 
@@ -79,7 +80,7 @@ std::string error_table(const Report& report,
                      column_head(report, {"mean", "median", "p95", "max"}) + "</thead><tbody>";
   for (const Row& row : k_rows) {
     const auto member = field_of(row.field).member;
-    text += fmt::format("<tr><th title=\"{}\">{}</th>", html_text(row.meaning), row.name);
+    text += fmt::format("<tr><th title=\"{}\">{}</th>", markup_text(row.meaning), row.name);
     for (std::size_t c = 0; c < errors.size(); ++c) {
       if (!errors[c]) {
         text += fmt::format("<td class=\"first\" colspan=\"{}\">–</td>", c == 0 ? 4 : 5);
@@ -161,9 +162,9 @@ std::string maps_of(const Report& report, std::size_t r) {
                                  std::size(k_mapped));
   for (const char* name : k_mapped)
     text += fmt::format("<div class=\"head\">{}<small>{}</small></div>", row_of(name).name,
-                        html_text(row_of(name).meaning));
+                        markup_text(row_of(name).meaning));
   for (std::size_t c = 0; c < report.candidates.size(); ++c) {
-    text += "<div class=\"who\">" + html_text(report.candidates[c].label) + "</div>";
+    text += "<div class=\"who\">" + markup_text(report.candidates[c].label) + "</div>";
     for (const char* name : k_mapped)
       text += heat_map(region.maps[c], region.region, field_of(name),
                        color_top(region, field_of(name)), r, c,
@@ -179,10 +180,10 @@ std::string maps_of(const Report& report, std::size_t r) {
 std::string metadata_of(const Report& report) {
   std::string text = "<div class=\"columns\">";
   for (const CandidateReport& c : report.candidates) {
-    text += fmt::format("<section><h3>{}</h3><dl><dt>reading</dt><dd>{}</dd>", html_text(c.label),
+    text += fmt::format("<section><h3>{}</h3><dl><dt>reading</dt><dd>{}</dd>", markup_text(c.label),
                         horizon_text(c.horizon));
     for (const auto& [name, value] : c.metadata)
-      text += fmt::format("<dt>{}</dt><dd>{}</dd>", html_text(name), html_text(value));
+      text += fmt::format("<dt>{}</dt><dd>{}</dd>", markup_text(name), markup_text(value));
     text += "</dl></section>";
   }
   return text + "</div>";
@@ -196,7 +197,7 @@ std::string worst_cell(const Report& report, const WorstCell& cell) {
       "<article class=\"cell\"><header><strong>roughness {:.3g}, θ {:.3g}°</strong><span>worst of "
       "{}</span><span>E {}; F = 1: |error| ≤ {} L<sub>max</sub></span></header><div "
       "class=\"lobes\">",
-      cell.roughness, cell.theta_degrees, html_text(report.candidates[cell.of].label),
+      cell.roughness, cell.theta_degrees, markup_text(report.candidates[cell.of].label),
       html_number(cell.albedo), html_number(cell.errors[cell.of].bound));
   text += "<figure><figcaption><span class=\"key brdf\"></span>ρ/E, the BRDF<small>&nbsp;</small>"
           "</figcaption>" +
@@ -205,7 +206,7 @@ std::string worst_cell(const Report& report, const WorstCell& cell) {
     text +=
         fmt::format("<figure><figcaption><span class=\"key series{}\"></span>{}<small>TV {} · L2 "
                     "{} · peak {}</small></figcaption>",
-                    c % 4, html_text(report.candidates[c].label), three(cell.errors[c].tv),
+                    c % 4, markup_text(report.candidates[c].label), three(cell.errors[c].tv),
                     three(cell.errors[c].l2), three(cell.errors[c].peak));
     text +=
         lobe_disc(cell.lobes[c], cell, report.candidates[c].label + " from above") + "</figure>";
@@ -258,7 +259,7 @@ std::string bound_text(const Report& report) {
       "points and {} L<sub>max</sub> at the worst of them; each one’s own value, for its cell’s "
       "midpoint, stands under the pointer in the maps below and in the JSON report. It is as exact "
       "as the quadrature that measures it.</p></div>",
-      html_text(report.candidates[0].label), html_text(region.name),
+      markup_text(report.candidates[0].label), markup_text(region.name),
       html_number(region.errors[0].mean.bound), html_number(region.errors[0].max.bound));
 }
 
@@ -279,14 +280,14 @@ std::string to_html(const Report& report) {
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
-                      html_text(report.title), k_report_style);
-  page += fmt::format("<h1>{}</h1>\n<p class=\"lead\">{}: {}.{}</p>\n", html_text(report.title),
-                      html_text(report.brdf), html_text(report.variant),
-                      report.source.empty() ? "" : " Source: " + html_text(report.source) + ".");
-  if (!report.command.empty()) page += "<pre>" + html_text(report.command) + "</pre>\n";
+                      markup_text(report.title), k_report_style);
+  page += fmt::format("<h1>{}</h1>\n<p class=\"lead\">{}: {}.{}</p>\n", markup_text(report.title),
+                      markup_text(report.brdf), markup_text(report.variant),
+                      report.source.empty() ? "" : " Source: " + markup_text(report.source) + ".");
+  if (!report.command.empty()) page += "<pre>" + markup_text(report.command) + "</pre>\n";
   std::string line;
-  if (!report.tool_version.empty()) line += "OpenLTC " + html_text(report.tool_version) + ". ";
-  if (!report.parameter.empty()) line += "Roughness: " + html_text(report.parameter) + ".";
+  if (!report.tool_version.empty()) line += "OpenLTC " + markup_text(report.tool_version) + ". ";
+  if (!report.parameter.empty()) line += "Roughness: " + markup_text(report.parameter) + ".";
   page += "<p class=\"note\">" + line + "</p>\n" + metadata_of(report) + bound_text(report);
 
   page +=
@@ -298,7 +299,7 @@ std::string to_html(const Report& report) {
     const MeasureOptions& o = region.region;
     page += fmt::format("<h3>{}, view angle to {}°</h3>\n<p class=\"note\">{} × {} points at the "
                         "midpoints of cells, uniform in roughness and {}.</p>\n",
-                        html_text(region.name), o.theta_to_degrees, o.points, o.points,
+                        markup_text(region.name), o.theta_to_degrees, o.points, o.points,
                         o.angle_axis == table::AngleAxis::theta ? "θ" : "√(1−cos θ)");
     page += error_table(report, {region.errors.begin(), region.errors.end()});
     if (std::any_of(region.nodes.begin(), region.nodes.end(),
@@ -320,7 +321,7 @@ std::string to_html(const Report& report) {
           "largest 98th "
           "percentile of the candidates; brighter is worse. Point at a cell for its figures.</p>\n";
   for (std::size_t r = 0; r < report.regions.size(); ++r)
-    page += "<h3>" + html_text(report.regions[r].name) + "</h3>\n" + maps_of(report, r) + "\n";
+    page += "<h3>" + markup_text(report.regions[r].name) + "</h3>\n" + maps_of(report, r) + "\n";
 
   if (!report.worst.empty()) {
     page +=

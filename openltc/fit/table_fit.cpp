@@ -229,7 +229,7 @@ Status check_lobes(const brdf::Brdf& brdf, const LobeTable& t) {
       const double alpha = f64::alpha_from_roughness(x);
       const double width = t.width == brdf::LobeWidth::alpha ? alpha : 1.0;
       const Vec2d uv(f64::table_coordinate(x, t.columns), f64::table_coordinate(y, t.rows));
-      const Vec4d m = f64::lobe_table_coefficients(t.view(), uv);
+      const Vec4d m = f64::lobe_table_texel(t.view(), uv).coefficients;
       if (!(m.x * m.w - width * m.y * m.z > 0))
         return Error{fmt::format(
             "brdf {}: the lobes of neighbouring nodes do not interpolate near roughness {:.3f}, "

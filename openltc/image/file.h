@@ -66,6 +66,9 @@ Status write_hdr(const std::string& path, const Image& image);
 /// channels. Values outside are clamped, NaN becomes 0.
 Status write_png(const std::string& path, const Image& display);
 
+/// The bytes of such a file. `display` has 1, 3 or 4 channels and at least one pixel.
+Result<std::vector<std::uint8_t>> encode_png(const Image& display);
+
 /// sRGB transfer function, IEC 61966-2-1, and its inverse. Odd-symmetric for negative values.
 float srgb_from_linear(float linear);
 float linear_from_srgb(float srgb);

@@ -90,9 +90,17 @@ struct Writer {
   ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
-bool write_file(Writer& writer, std::FILE* file, const Image& size, png_bytep* rows) {
+void append_bytes(png_structp png, png_bytep from, png_size_t count) {
+  auto* bytes = static_cast<std::vector<std::uint8_t>*>(png_get_io_ptr(png));
+  bytes->insert(bytes->end(), from, from + count);
+}
+
+void flush_nothing(png_structp) {}
+
+bool write_image(Writer& writer, std::vector<std::uint8_t>* out, const Image& size,
+                 png_bytep* rows) {
   if (setjmp(png_jmpbuf(writer.png))) return false;
-  png_init_io(writer.png, file);
+  png_set_write_fn(writer.png, out, append_bytes, flush_nothing);
   const int color_type = size.channels == 1   ? PNG_COLOR_TYPE_GRAY
                          : size.channels == 3 ? PNG_COLOR_TYPE_RGB
                                               : PNG_COLOR_TYPE_RGB_ALPHA;
@@ -161,31 +169,36 @@ Result<codec::Samples> codec::decode_png(std::span<const std::uint8_t> bytes,
   return samples;
 }
 
+Result<std::vector<std::uint8_t>> encode_png(const Image& display) {
+  std::vector<std::uint8_t> bytes(display.data.size());
+  std::transform(display.data.begin(), display.data.end(), bytes.begin(), [](float v) {
+    return v > 0.0f ? std::uint8_t(std::min(v, 1.0f) * 255.0f + 0.5f) : std::uint8_t(0);
+  });
+  std::vector<png_bytep> rows(std::size_t(display.height));
+  for (std::size_t y = 0; y < rows.size(); ++y)
+    rows[y] = bytes.data() + y * std::size_t(display.width) * std::size_t(display.channels);
+
+  std::vector<std::uint8_t> out;
+  Message message;
+  Writer writer;
+  writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning);
+  if (writer.png) writer.info = png_create_info_struct(writer.png);
+  if (!writer.png || !writer.info) return Error{"libpng does not start"};
+  if (!write_image(writer, &out, display, rows.data()))
+    return Error{fmt::format("cannot encode PNG: {}", message.text)};
+  return out;
+}
+
 Status write_png(const std::string& path, const Image& display) {
   if (Status ok = codec::check_writable(path, display); !ok) return ok;
+  const Result<std::vector<std::uint8_t>> bytes = encode_png(display);
+  if (!bytes) return Error{fmt::format("{}: {}", path, bytes.error().message)};
   return write_atomically(path, [&](const std::string& temporary) -> Status {
-    std::vector<std::uint8_t> bytes(display.data.size());
-    std::transform(display.data.begin(), display.data.end(), bytes.begin(), [](float v) {
-      return v > 0.0f ? std::uint8_t(std::min(v, 1.0f) * 255.0f + 0.5f) : std::uint8_t(0);
-    });
-    std::vector<png_bytep> rows(std::size_t(display.height));
-    for (std::size_t y = 0; y < rows.size(); ++y)
-      rows[y] = bytes.data() + y * std::size_t(display.width) * std::size_t(display.channels);
-
-    Message message;
-    Writer writer;
-    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning);
-    if (writer.png) writer.info = png_create_info_struct(writer.png);
-    if (!writer.png || !writer.info) return Error{fmt::format("{}: libpng does not start", path)};
-
     std::FILE* file = std::fopen(temporary.c_str(), "wb");
     if (!file) return Error{fmt::format("{}: cannot write: {}", path, std::strerror(errno))};
-    bool ok = write_file(writer, file, display, rows.data());
-    if (std::fclose(file) != 0 && ok) {
-      std::snprintf(message.text, sizeof(message.text), "%s", std::strerror(errno));
-      ok = false;
-    }
-    if (!ok) return Error{fmt::format("{}: cannot write: {}", path, message.text)};
+    const bool written = std::fwrite(bytes->data(), 1, bytes->size(), file) == bytes->size();
+    if (std::fclose(file) != 0 || !written)
+      return Error{fmt::format("{}: cannot write: {}", path, std::strerror(errno))};
     return Success{};
   });
 }

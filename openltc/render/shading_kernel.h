@@ -170,6 +170,8 @@ struct KernelContext {
 };
 
 inline constexpr int k_max_brdf_samples = 64;
+/// Polygons of so many triangles are sampled by their solid angle, others by their area.
+inline constexpr int k_max_angle_triangles = 8;
 /// All groups of far lights together take as many shadow samples as this many lights.
 inline constexpr int k_far_light_samples = 4;
 

@@ -12,9 +12,13 @@ CONSTANT k_half_inv_pi = 0.15915494309189533577;
 /// precision still carries it.
 CONSTANT k_min_alpha = 1.0e-4;
 
-/// Distance of a point from a plane, relative to their coordinates, below which the point is taken to
-/// lie in it: some ten times the rounding of a world-space position in single precision.
-CONSTANT k_plane_tolerance = 6.0e-7;
+/// What rounding may make of a distance of 0 from a plane, relative to that from the plane's origin:
+/// four units in the last place of single precision.
+CONSTANT k_plane_rounding = 2.5e-7;
+
+/// Rounding of a position on a triangle in world space, relative to its distance from the origin: some
+/// ten units in the last place of single precision.
+CONSTANT k_position_rounding = 6.0e-7;
 
 /// Least share of a lobe above the horizon that its amplitude is divided by. Fitted lobes have 0.7
 /// and more there; a lobe of a damaged table must not magnify rounding.

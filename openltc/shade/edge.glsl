@@ -75,32 +75,45 @@ FN Vec3 apex_term(Vec3 p, Real s) {
   return Vec3(-weight * u.z, Real(0.0), weight * u.x);
 }
 
+/// The part of an edge above a plane, in units of the edge; whole where both ends are above.
+struct Span {
+  Real t0;
+  Real t1;
+};
+
+/// a, b: heights of the ends, of which one at least is not below. The division is of their sizes, so
+/// that t stays within 0..1 whatever rounding does.
+FN Span span_above(Real a, Real b) {
+  Real t = abs(a) * reciprocal(max(abs(a) + abs(b), Real(k_tiny)));
+  Span span;
+  span.t0 = select(a < Real(0.0), t, Real(0.0));
+  span.t1 = select(b < Real(0.0), t, Real(1.0));
+  return span;
+}
+
 /// What is left of an edge within the wedge.
 struct ClippedEdge {
   Vec3 p0; // cosine space
   Vec3 p1;
   Real extent; // in units of the edge
   Mask outside;
+  Mask p0_on_surface; // whether an edge that enters does so through the surface's horizon
+  Mask p1_on_surface; // whether one that leaves does
 };
 
 /// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
 FN ClippedEdge clip_edge(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
-  // Interval [t0, t1] of the edge inside both half-spaces.
-  Real surface_t = a_z / (a_z - b_z + select(a_z == b_z, Real(1.0), Real(0.0)));
-  Real cosine_t = a_o.z / (a_o.z - b_o.z + select(a_o.z == b_o.z, Real(1.0), Real(0.0)));
-  Mask surface_enters = a_z < Real(0.0) && b_z >= Real(0.0);
-  Mask surface_leaves = a_z >= Real(0.0) && b_z < Real(0.0);
-  Mask cosine_enters = a_o.z < Real(0.0) && b_o.z >= Real(0.0);
-  Mask cosine_leaves = a_o.z >= Real(0.0) && b_o.z < Real(0.0);
-  Real t0 = max(select(surface_enters, surface_t, Real(0.0)),
-                select(cosine_enters, cosine_t, Real(0.0)));
-  Real t1 = min(select(surface_leaves, surface_t, Real(1.0)),
-                select(cosine_leaves, cosine_t, Real(1.0)));
+  Span surface = span_above(a_z, b_z);
+  Span cosine = span_above(a_o.z, b_o.z);
+  Real t0 = max(surface.t0, cosine.t0);
+  Real t1 = min(surface.t1, cosine.t1);
   ClippedEdge edge;
   // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
   // length left but still opens or closes the outline there.
   edge.outside = (a_z < Real(0.0) && b_z < Real(0.0)) ||
                  (a_o.z < Real(0.0) && b_o.z < Real(0.0)) || t0 > t1;
+  edge.p0_on_surface = a_z < Real(0.0) && surface.t0 >= cosine.t0;
+  edge.p1_on_surface = b_z < Real(0.0) && surface.t1 <= cosine.t1;
   Vec3 d = b_o - a_o;
   edge.p0 = a_o + d * t0;
   edge.p1 = a_o + d * t1;
@@ -150,12 +163,12 @@ FN Vec3 closed_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
   return select(edge.outside, Vec3(Real(0.0), Real(0.0), Real(0.0)), sum);
 }
 
-/// Whether a point lies in a light's plane as far as single precision can tell: h, its distance,
-/// is below what rounding of the coordinates may make of 0. Such a point, on the emitter itself or
-/// on a wall flush with it, has no side, and gets no light from it.
-FN Mask lies_in_plane(Real h, Vec3 position, Vec3 origin) {
-  Real size2 = dot(position, position) + dot(origin, origin);
-  return h * h <= Real(k_plane_tolerance * k_plane_tolerance) * size2;
+/// Whether a point lies in a light's plane as far as can be told: h, its distance, is no more than
+/// `error`, to which the point is known, or than what rounding makes of 0. Such a point has no side,
+/// and gets no light. `to_origin` leads from the point to any point of the plane.
+FN Mask lies_in_plane(Real h, Vec3 to_origin, Real error) {
+  return h * h <= max(error * error, Real(k_plane_rounding * k_plane_rounding) *
+                                         dot(to_origin, to_origin));
 }
 
 /// What shading wants to know of a light of radiance 1, whatever its shape, without shadow.

@@ -26,7 +26,7 @@ FN LightIntegral integrate_ellipse(Ellipse ellipse, Vec3 position, Frame frame, 
   Vec3 normal = cross(u, v);
   Real h = dot(center, normal) * inversesqrt(max(dot(normal, normal), Real(k_tiny)));
   Real side = select(h < Real(0.0), Real(1.0), ellipse.two_sided);
-  side = select(lies_in_plane(h, position, ellipse.center), Real(0.0), side);
+  side = select(lies_in_plane(h, center, Real(0.0)), Real(0.0), side);
   // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
   Real reach = sqrt(u.z * u.z + v.z * v.z);
   side = select(center.z + reach > Real(0.0), side, Real(0.0));
@@ -47,7 +47,7 @@ FN LightPoint intersect_ellipse(Ellipse ellipse, Vec3 position, Vec3 direction) 
   Real x = dot(on_plane, ellipse.half_u) / max(dot(ellipse.half_u, ellipse.half_u), Real(k_tiny));
   Real y = dot(on_plane, ellipse.half_v) / max(dot(ellipse.half_v, ellipse.half_v), Real(k_tiny));
   LightPoint result = area_light_point(direction * t, normal, area, ellipse.two_sided,
-                                       lies_in_plane(h, position, ellipse.center));
+                                       lies_in_plane(h, to_center, Real(0.0)));
   result.hit = result.hit && t > Real(0.0) && x * x + y * y <= Real(1.0);
   result.direction = direction;
   return result;
@@ -64,5 +64,5 @@ FN LightPoint sample_ellipse(Ellipse ellipse, Vec3 position, Vec2 u) {
   Vec3 offset = to_center + ellipse.half_u * (radius * cos(phi)) +
                 ellipse.half_v * (radius * sin(phi));
   return area_light_point(offset, normal, area, ellipse.two_sided,
-                          lies_in_plane(dot(to_center, normal), position, ellipse.center));
+                          lies_in_plane(dot(to_center, normal), to_center, Real(0.0)));
 }

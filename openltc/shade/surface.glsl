@@ -15,6 +15,7 @@
 
 struct Surface {
   Vec3 position; // world space
+  Real position_error; // metres within which it is known; make_surface assumes single precision
   Frame frame;
   Vec3 wo;       // shading space: (sin theta, 0, cos theta)
   Real alpha;
@@ -34,6 +35,7 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
                         Vec3 f0, Vec3 f90, Real roughness) {
   Surface s;
   s.position = position;
+  s.position_error = k_position_rounding * sqrt(dot(position, position));
   s.frame = shading_frame(normal, wo_world);
   s.wo = to_shading(s.frame, wo_world);
   s.alpha = alpha_from_roughness(roughness);
@@ -65,6 +67,13 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
   return Vec3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
 }
 
+/// Whether the point has a side of a flat light, whose plane holds `origin`: not on the emitter itself
+/// or on a wall flush with it, as far as its position is known. Without a side there is no light.
+FN Mask has_side(Surface s, Vec3 origin, Vec3 normal) {
+  Vec3 to_origin = origin - s.position;
+  return !lies_in_plane(dot(to_origin, normal), to_origin, s.position_error);
+}
+
 struct ShadedLight {
   Vec3 diffuse;
   Vec3 specular;
@@ -93,7 +102,9 @@ FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
 FN Vec3 shade_polygon(Surface s, Polygon polygon) {
   ShadedLight shaded =
       shade_integral(s, integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe));
-  return shaded.diffuse + shaded.specular;
+  Mask sided = has_side(s, polygon_origin(polygon), polygon_normal(polygon));
+  return select(sided, shaded.diffuse + shaded.specular,
+                Vec3(Real(0.0), Real(0.0), Real(0.0)));
 }
 
 /// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but

@@ -7,11 +7,11 @@
 //   x = sqrt(alpha) = roughness,   y = sqrt(1 - cos theta).
 // Texel i of N lies at i/(N-1), so a texture is sampled at x (N-1)/N + 1/(2N): the half-texel rule.
 //
-// The prelude of each target gives two look-ups with bilinear interpolation at uv in [0, 1]:
-//   Vec4 lobe_table_coefficients(LobeTable, uv)  the mirror-frame coefficients A B C D
-//   Vec2 lobe_table_amplitudes(LobeTable, uv)    n1 = integral of D V cos,
-//                                                n5 = integral of D V cos (1 - wo.h)^5
-//   Vec2 lobe_table_size(LobeTable)              nodes along x and y
+// The prelude of each target gives a look-up with bilinear interpolation at uv in [0, 1]:
+//   LobeTexel lobe_table_texel(LobeTable, uv)
+//     .coefficients, Vec4  the mirror-frame coefficients A B C D
+//     .amplitudes, Vec2    n1 = integral of D V cos, n5 = integral of D V cos (1 - wo.h)^5
+//   Vec2 lobe_table_size(LobeTable)  nodes along x and y
 
 struct FittedLobe {
   Lobe lobe;
@@ -32,11 +32,11 @@ FN FittedLobe fetch_lobe_of_width(LobeTable table, Real alpha, Real width, Real 
   Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
   Vec2 uv = Vec2(table_coordinate(sqrt(alpha), size.x),
                  table_coordinate(sqrt(Real(1.0) - c), size.y));
-  Vec2 amplitudes = lobe_table_amplitudes(table, uv);
+  LobeTexel texel = lobe_table_texel(table, uv);
   FittedLobe fitted;
-  fitted.lobe = lobe_from_mirror(lobe_table_coefficients(table, uv), width, c);
-  fitted.n1 = amplitudes.x;
-  fitted.n5 = amplitudes.y;
+  fitted.lobe = lobe_from_mirror(texel.coefficients, width, c);
+  fitted.n1 = texel.amplitudes.x;
+  fitted.n5 = texel.amplitudes.y;
   return fitted;
 }
 

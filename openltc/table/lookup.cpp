@@ -81,12 +81,11 @@ f64::FittedLobe fetch_native(const LobeTable& table, double roughness, double co
   const double r = std::clamp(roughness, 0.0, 1.0), c = std::clamp(cos_theta, 0.0, 1.0);
   const Vec2d uv{f64::table_coordinate(r, table.columns),
                  f64::table_coordinate(angle_coordinate(table.angle_axis, c), table.rows)};
-  const auto amplitudes = f64::lobe_table_amplitudes(table.view(), uv);
+  const f64::LobeTexel texel = f64::lobe_table_texel(table.view(), uv);
   f64::FittedLobe fitted;
-  fitted.lobe = f64::lobe_from_mirror(f64::lobe_table_coefficients(table.view(), uv),
-                                      factored_width(table.width, r), c);
-  fitted.n1 = amplitudes.x;
-  fitted.n5 = amplitudes.y;
+  fitted.lobe = f64::lobe_from_mirror(texel.coefficients, factored_width(table.width, r), c);
+  fitted.n1 = texel.amplitudes.x;
+  fitted.n5 = texel.amplitudes.y;
   return fitted;
 }
 
@@ -99,8 +98,7 @@ LobeTable interpolate(const LobeTable& table, int columns, std::span<const doubl
     for (int column = 0; column < columns; ++column) {
       const Vec2d uv{f64::table_coordinate(node_roughness(columns, column), table.columns),
                      f64::table_coordinate(from[std::size_t(row)], table.rows)};
-      const auto m = f64::lobe_table_coefficients(table.view(), uv);
-      const auto n = f64::lobe_table_amplitudes(table.view(), uv);
+      const auto [m, n] = f64::lobe_table_texel(table.view(), uv);
       const double channels[6] = {m.x, m.y, m.z, m.w, n.x, n.y};
       for (int k = 0; k < 6; ++k)
         result.texel(column, row)[k] = float(channels[k]);

@@ -59,6 +59,15 @@ void face(const LightCase& light, const Placement& p, Vec3d& u, Vec3d& v) {
   if (dot(cross(u, v), to_double(light.position) - p.center) < 0) std::swap(u, v);
 }
 
+double signed_area(const Ring& ring) {
+  double area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2d a = ring[i], b = ring[(i + 1) % ring.size()];
+    area += 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  return area;
+}
+
 // An outline about 2 across: one of the fixture's, of many corners, or random and star-shaped.
 std::vector<Ring> random_outline(Random& random) {
   const int kind = random.integer(8);
@@ -71,7 +80,8 @@ std::vector<Ring> random_outline(Random& random) {
     const double r = random.uniform(0.1, 1);
     ring.push_back(Vec2d(r * std::cos(phi), r * std::sin(phi)));
   }
-  return {ring};
+  // Few corners may all lie on one side of the origin, either way round; lights face their front.
+  return {signed_area(ring) < 0 ? reversed(ring) : ring};
 }
 
 std::vector<Ring> scaled(std::vector<Ring> rings, double x, double y) {

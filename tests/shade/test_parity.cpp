@@ -245,6 +245,9 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"tube_emission", 5e-4},
       {"sample_ellipse", 1e-5},
       {"sample_sphere", 1e-5},
+      // thin triangles and rays that graze the plane
+      {"sample_spherical_triangle", 1e-4},
+      {"polygon_point_towards", 1e-3},
       // rays that graze the light's plane
       {"intersect_polygon", 1e-3},
       {"intersect_ellipse", 5e-3}};

@@ -3,6 +3,7 @@
 //
 // The polygon integral against brute force, and the properties that any exact integral has.
 
+#include "light_fixture.h"
 #include "polygon_fixture.h"
 #include "random.h"
 
@@ -21,6 +22,7 @@ using testing::Ring;
 using testing::Setting;
 using testing::shape;
 using testing::TestPolygon;
+using testing::to_float;
 
 TEST_CASE("polygon integrals equal brute-force quadrature, both horizons honoured") {
   Random random(1);
@@ -103,6 +105,57 @@ TEST_CASE("the parts of a polygon add up to the whole") {
     CHECK(l.diffuse + r.diffuse == doctest::Approx(w.diffuse).epsilon(1e-6));
     CHECK(l.specular + r.specular == doctest::Approx(w.specular).epsilon(1e-5));
   }
+}
+
+TEST_CASE("a convex polygon's sums are those of any polygon") {
+  Random random(21);
+  int cut = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Setting s = random_setting(random, random.log_uniform(0.01, 1.0));
+    const Plane p = random_plane(random, s.position);
+    const std::vector<Ring> rings = {i % 3 == 0   ? testing::rectangle(2, 0.7)
+                                     : i % 3 == 1 ? Ring{Vec2d(-1, -1), Vec2d(1, -0.5), Vec2d(0, 1)}
+                                                  : testing::star(6, 1, 0.9)};
+    const TestPolygon polygon(rings, p.origin, p.u, p.v);
+    REQUIRE(polygon.view().convex);
+    const double h =
+        dot(f64::polygon_origin(polygon.view()) - s.position, f64::polygon_normal(polygon.view()));
+    const double side = f64::apex_side(dot(s.frame.t2, f64::polygon_normal(polygon.view())), h);
+    const f64::EdgeSums any = f64::sum_edges(polygon.view(), s.position, s.frame, s.lobe, side);
+    const f64::ConvexSums convex =
+        f64::sum_convex_edges(polygon.view(), s.position, s.frame, s.lobe, side);
+    CAPTURE(i);
+    CHECK(convex.valid);
+    CHECK(length(convex.sums.diffuse - any.diffuse) < 1e-7);
+    CHECK(length(convex.sums.specular - any.specular) < 1e-7);
+    bool up = false, down = false;
+    for (int k = 0; k < polygon.view().point_count; ++k)
+      (f64::to_shading(s.frame, f64::polygon_point(polygon.view(), k) - s.position).z > 0 ? up
+                                                                                          : down) =
+          true;
+    cut += up && down ? 1 : 0;
+  }
+  CHECK(cut > 500);
+}
+
+TEST_CASE("in a polygon's plane there is no light, whatever rounding makes of the distance") {
+  Random random(22);
+  const f32::FittedLobe fitted{f32::cosine_lobe(), 1, 0};
+  int lit = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Plane p = random_plane(random, Vec3d(random.uniform(-9, 9), 0, 0));
+    const TestPolygon polygon({testing::rectangle(2, 2)}, p.origin, p.u, p.v, i % 2 == 0);
+    const Vec3d on_it = p.origin + p.u * random.uniform(-2, 2) + p.v * random.uniform(-1, 1);
+    const auto shade = [&](Vec3d position) {
+      const Vec3f normal = to_float(random.sphere());
+      return f32::shade_polygon(f32::make_surface(fitted, to_float(position), normal, normal,
+                                                  Vec3f(0.5f), Vec3f(0.04f), Vec3f(1.0f), 0.5f),
+                                polygon.view());
+    };
+    CHECK(length(shade(on_it)) == 0);
+    if (length(shade(on_it + cross(p.u, p.v) * 1e-3)) > 0) ++lit;
+  }
+  CHECK(lit > 500);
 }
 
 TEST_CASE("a hole takes away what its outline would give") {

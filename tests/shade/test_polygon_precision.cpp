@@ -92,7 +92,8 @@ static bool sums_are_finite(const PolygonView& polygon, Vec3f position, const f3
                             const f32::Lobe& lobe) {
   for (const float s : {-1.0f, 1.0f}) {
     const f32::EdgeSums sums = f32::sum_edges(polygon, position, frame, lobe, s);
-    for (const Vec3f& v : {sums.diffuse, sums.specular})
+    const f32::EdgeSums convex = f32::sum_convex_edges(polygon, position, frame, lobe, s).sums;
+    for (const Vec3f& v : {sums.diffuse, sums.specular, convex.diffuse, convex.specular})
       if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
   }
   return true;
@@ -134,10 +135,13 @@ TEST_CASE("degenerate outlines and positions give finite values in range") {
       CHECK(is_unit(single.specular_direction));
       CHECK(in_range(single.diffuse));
       CHECK(in_range(single.specular));
-      // In the plane there is no side and no light, whatever rounding makes of the distance.
+      // In the plane there is no side, whatever rounding makes of the distance.
       if (i % 5 == 1 || i % 5 == 2 || i % 5 == 3) {
-        CHECK(single.diffuse == 0);
-        CHECK(single.specular == 0);
+        f32::Surface surface;
+        surface.position = to_float(position);
+        surface.position_error = f32::k_position_rounding * length(surface.position);
+        CHECK_FALSE(f32::has_side(surface, f32::polygon_origin(polygon.view()),
+                                  f32::polygon_normal(polygon.view())));
       }
       CHECK((d64.diffuse >= 0 && d64.diffuse <= 1));
       CHECK((d64.specular >= 0 && d64.specular <= 1));

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -140,4 +141,73 @@ TEST_CASE("the test itself tells a wrong density") {
       Vec3d(-wo.x, 0, wo.z), 0.4, [&](Vec2d u) { return f64::sample_ggx(wo, 0.4, u); },
       [&](Vec3d w) { return f64::pdf_ggx(wo, w, 0.42); }, true, 55);
   CHECK(p < 1e-10);
+}
+
+TEST_CASE("triangles are sampled evenly over their solid angle") {
+  Random random(57);
+  constexpr int rows = 8, count = 100000;
+  int tested = 0;
+  for (int i = 0; i < 20; ++i) {
+    const double size = i < 5 ? 4.0 : random.log_uniform(0.05, 2);
+    const Vec3d a = random.sphere(), ab = random.sphere() * size, ac = random.sphere() * size;
+    const f64::SphericalTriangle whole = f64::spherical_triangle(a, ab, ac);
+    if (whole.solid_angle < 1e-4) continue;
+    // Cut along both edges into rows * rows small ones, upright and turned, each with its share.
+    const auto part = [&](double y, double z, double step) {
+      return f64::spherical_triangle(a + ab * y + ac * z, ab * step, ac * step).solid_angle /
+             whole.solid_angle;
+    };
+    const double step = 1.0 / rows;
+    std::vector<double> expected(2 * rows * rows), observed(2 * rows * rows);
+    for (int y = 0; y < rows; ++y)
+      for (int z = 0; y + z < rows; ++z) {
+        const auto bin = std::size_t(2 * (y * rows + z));
+        expected[bin] = count * part(y * step, z * step, step);
+        if (y + z + 1 < rows)
+          expected[bin + 1] = count * part((y + 1) * step, (z + 1) * step, -step);
+      }
+    const double det = dot(a, cross(ab, ac));
+    for (int k = 0; k < count; ++k) {
+      // w = a x + ab y x + ac z x.
+      const Vec3d w = f64::sample_spherical_triangle(whole, random.square());
+      const double x = dot(w, cross(ab, ac)) / det;
+      const double y = dot(w, cross(ac, a)) / (det * x) * rows,
+                   z = dot(w, cross(a, ab)) / (det * x) * rows;
+      CHECK(x > 0);
+      const int yi = std::clamp(int(y), 0, rows - 1), zi = std::clamp(int(z), 0, rows - 1);
+      const auto bin = std::size_t(2 * (yi * rows + zi) + (y - yi + z - zi > 1 ? 1 : 0));
+      observed[bin] += 1;
+    }
+    double x = 0;
+    int degrees = -1;
+    for (std::size_t bin = 0; bin < expected.size(); ++bin) {
+      if (expected[bin] < 10) continue;
+      const double d = observed[bin] - expected[bin];
+      x += d * d / expected[bin];
+      ++degrees;
+    }
+    CAPTURE(i);
+    CAPTURE(whole.solid_angle);
+    CHECK(chi_square_p(x, degrees) > k_level);
+    ++tested;
+  }
+  CHECK(tested > 10);
+}
+
+TEST_CASE("the solid angle of a triangle: an octant, additive, small ones are area over distance") {
+  const f64::SphericalTriangle octant =
+      f64::spherical_triangle(Vec3d(1, 0, 0), Vec3d(-1, 1, 0), Vec3d(-1, 0, 1));
+  CHECK(octant.solid_angle == doctest::Approx(f64::k_pi / 2));
+  Random random(59);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3d a = random.sphere(), ab = random.sphere(), ac = random.sphere();
+    const double share = random.uniform();
+    const Vec3d cut = ab + (ac - ab) * share;
+    CHECK(f64::spherical_triangle(a, ab, cut).solid_angle +
+              f64::spherical_triangle(a, cut, ac).solid_angle ==
+          doctest::Approx(f64::spherical_triangle(a, ab, ac).solid_angle));
+    const f64::SphericalTriangle small = f64::spherical_triangle(a, ab * 1e-6, ac * 1e-6);
+    CHECK(small.solid_angle ==
+          doctest::Approx(0.5e-12 * std::abs(dot(a, cross(ab, ac)))).epsilon(1e-4));
+  }
 }
