@@ -94,6 +94,8 @@ void add_plot(CLI::App& app, int& exit_code) {
   add_plot_lobes(*plot, exit_code);
   add_plot_polygon(*plot, exit_code);
   add_plot_literal(*plot, exit_code);
+  add_plot_fit(*plot, exit_code);
+  add_plot_point(*plot, exit_code);
 }
 
 } // namespace openltc::cli

@@ -38,8 +38,10 @@ Result<brdf::Brdf> brdf_of_option(const std::string& name_or_path);
 
 /// Each of these adds one figure, in a file of its own.
 void add_plot_error(CLI::App& plot, int& exit_code);
+void add_plot_fit(CLI::App& plot, int& exit_code);
 void add_plot_literal(CLI::App& plot, int& exit_code);
 void add_plot_lobes(CLI::App& plot, int& exit_code);
+void add_plot_point(CLI::App& plot, int& exit_code);
 void add_plot_polygon(CLI::App& plot, int& exit_code);
 
 /// "openltc plot WHAT: message" on stderr; the exit code for a job that failed.

@@ -1,9 +1,5 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
-// Pictures of lobes use Lambert's azimuthal equal-area projection (Lambert 1772): a direction
-// (x, y, z) lies at (x, y)/sqrt(1 + z), so that the upper hemisphere is the unit disc and equal
-// areas of it are equal solid angles.
 
 #include "openltc/fit/report.h"
 
@@ -19,9 +15,6 @@ namespace {
 
 constexpr QuadratureSize k_quadrature = {40, 32};
 constexpr int k_cut_points = 241;
-
-// A lobe or BRDF as a density over directions of the shading frame.
-using Density = std::function<double(Vec3d wi)>;
 
 // Cells with the largest TV, the worst first, no two of them neighbours.
 std::vector<std::size_t> worst_cells(const ErrorMap& map, int count) {
@@ -42,29 +35,6 @@ std::vector<std::size_t> worst_cells(const ErrorMap& map, int count) {
     if (!near) chosen.push_back(i);
   }
   return chosen;
-}
-
-// The window that holds the lobe: its centre on the plane of incidence and three deviations about
-// it, or the whole disc.
-void choose_window(const Quadrature& q, WorstCell& cell) {
-  const double c = q.cos_theta, s = std::sqrt(std::max(0.0, 1 - c * c));
-  double mean = 0, square = 0, across = 0;
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    const double x = s * q.z_mirror[i] - c * q.x_mirror[i]; // towards the mirror direction
-    const double z = s * q.x_mirror[i] + c * q.z_mirror[i];
-    const double inv2 = 1 / (1 + std::max(z, 0.0));
-    const double energy = q.weight[i] * q.density[i];
-    mean += energy * x * std::sqrt(inv2);
-    square += energy * x * x * inv2;
-    across += energy * q.y[i] * q.y[i] * inv2;
-  }
-  const double deviation = std::sqrt(std::max({square - mean * mean, across, 0.0}));
-  cell.window_x = 0;
-  cell.window_half = 1.02;
-  if (3 * deviation < 0.55) {
-    cell.window_x = mean;
-    cell.window_half = std::max(3 * deviation, 0.01);
-  }
 }
 
 double cut_value(const Density& density, double degrees) {
@@ -94,15 +64,7 @@ void choose_cut(const std::vector<Density>& densities, WorstCell& cell) {
 
 LobePicture picture(const Density& density, const WorstCell& cell) {
   LobePicture result;
-  constexpr int n = WorstCell::k_side;
-  for (int row = 0; row < n; ++row) {
-    for (int column = 0; column < n; ++column) {
-      const double x = cell.window_x + cell.window_half * (2 * (column + 0.5) / n - 1);
-      const double y = cell.window_half * (1 - 2 * (row + 0.5) / n);
-      const double r2 = x * x + y * y, stretch = std::sqrt(std::max(0.0, 2 - r2));
-      result.disc.push_back(r2 < 1 ? density(Vec3d(-x * stretch, y * stretch, 1 - r2)) : -1);
-    }
-  }
+  result.disc = sample_disc(density, cell.window, WorstCell::k_side);
   for (const double degrees : cell.cut_degrees)
     result.cut.push_back(cut_value(density, degrees));
   return result;
@@ -120,24 +82,15 @@ Result<WorstCell> describe_cell(const brdf::Brdf& brdf, const std::vector<Candid
     cell.errors.push_back(m.cells[at]);
 
   const double cos_theta = std::cos(cell.theta_degrees * f64::k_pi / 180);
-  const double sin_theta = std::sqrt(1 - cos_theta * cos_theta);
   const Result<Quadrature> rule = make_quadrature(brdf, cell.roughness, cos_theta, k_quadrature);
   if (!rule) return rule.error();
   cell.peak = *std::max_element(rule->density.begin(), rule->density.end());
-  choose_window(*rule, cell);
+  cell.window = window_of_lobe(*rule);
 
-  std::vector<Density> densities;
-  densities.push_back([&](Vec3d wi) {
-    return wi.z > 0 ? brdf.eval(Vec3d(sin_theta, 0, cos_theta), wi, cell.roughness).scale / rule->n1
-                    : 0;
-  });
-  for (const Candidate& candidate : candidates) {
-    const f64::Lobe lobe = candidate.lobes(cell.roughness, cos_theta).lobe;
-    const double scale = horizon_scale(lobe, candidate.horizon);
-    densities.push_back([lobe, scale](Vec3d wi) {
-      return std::max(scale * f64::eval_lobe(lobe, wi), 0.0); // one inside out would be negative
-    });
-  }
+  std::vector<Density> densities = {density_of(brdf, *rule)};
+  for (const Candidate& candidate : candidates)
+    densities.push_back(
+        density_of(candidate.lobes(cell.roughness, cos_theta).lobe, candidate.horizon));
   choose_cut(densities, cell);
   cell.brdf = picture(densities[0], cell);
   for (std::size_t i = 1; i < densities.size(); ++i)

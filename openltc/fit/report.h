@@ -8,6 +8,7 @@
 
 #include "openltc/fit/error.h"
 #include "openltc/fit/light_error.h"
+#include "openltc/fit/lobe_view.h"
 
 #include <optional>
 #include <string>
@@ -52,10 +53,10 @@ struct RegionReport {
   std::vector<std::optional<TableError>> nodes; ///< on the nodes that lie in the region
 };
 
-/// Density per solid angle over a window of the hemisphere seen from above, and along the plane of
-/// incidence; the mirror direction is to the right.
+/// Density per solid angle over a window of the hemisphere seen from above (lobe_view.h), and along
+/// the plane of incidence.
 struct LobePicture {
-  std::vector<double> disc; ///< k_side * k_side, top row first; -1 below the horizon
+  std::vector<double> disc; ///< k_side * k_side, as sample_disc gives it
   std::vector<double> cut;  ///< at the angles of WorstCell::cut_degrees
 };
 
@@ -64,10 +65,9 @@ struct WorstCell {
   static constexpr int k_side = 120;
   std::size_t of = 0; ///< the candidate that is worst there
   double roughness = 0, theta_degrees = 0, albedo = 0;
-  std::vector<LobeError> errors; ///< one per candidate
-  double peak = 0;               ///< of the BRDF's lobe, 1/steradian
-  /// The window in the equal-area disc, whose horizon is the unit circle: centre (window_x, 0).
-  double window_x = 0, window_half = 1;
+  std::vector<LobeError> errors;   ///< one per candidate
+  double peak = 0;                 ///< of the BRDF's lobe, 1/steradian
+  DiscWindow window;               ///< of the discs
   std::vector<double> cut_degrees; ///< from the normal, positive on the mirror's side
   LobePicture brdf;
   std::vector<LobePicture> lobes; ///< one per candidate

@@ -221,10 +221,9 @@ std::string lobe_disc(const LobePicture& picture, const WorstCell& cell, const s
       "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"{}\"/>", margin, margin, side,
       side, png_uri(indices, WorstCell::k_side, WorstCell::k_side, image::Colormap::viridis));
   // The horizon and the mirror direction, in a nested viewport that cuts what lies outside.
-  const double scale = side / (2 * cell.window_half);
-  const double center_x = side / 2 - cell.window_x * scale, center_y = side / 2;
-  const double theta = cell.theta_degrees * f64::k_pi / 180;
-  const double mirror = std::sin(theta) / std::sqrt(1 + std::cos(theta));
+  const double scale = side / (2 * cell.window.half);
+  const double center_x = side / 2 - cell.window.center_x * scale, center_y = side / 2;
+  const double mirror = mirror_in_disc(std::cos(cell.theta_degrees * f64::k_pi / 180));
   const double mirror_x = center_x + mirror * scale;
   svg +=
       fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">", margin, margin, side, side);
