@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace openltc::plot {
 
@@ -18,6 +19,7 @@ constexpr std::size_t k_most = 6; // cells along an axis
 constexpr double k_decades = 3;   // below the brightest point, on the logarithmic scale
 constexpr double k_left = 64, k_head = 42, k_note = 18, k_gap = 5, k_cell_gap = 22, k_row_gap = 12;
 constexpr double k_foot = 62; // the two colour bars
+constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
 
 double log_share(double x) { return x > 0 ? 1 + std::log10(x) / k_decades : 0; }
 
@@ -78,9 +80,9 @@ Status draw_cell(Figure& figure, const FitCell& cell, Vec2d corner, double side,
   std::vector<double> brdf, lobe, difference = relative_difference(cell);
   for (std::size_t i = 0; i < cell.brdf.size(); ++i) {
     const bool above = cell.brdf[i] >= 0;
-    brdf.push_back(above ? shown(cell.brdf[i] / cell.brightest, linear) : NAN);
-    lobe.push_back(above ? shown(cell.lobe[i] / cell.brightest, linear) : NAN);
-    difference[i] = above ? shown_signed(difference[i], linear, reach) : NAN;
+    brdf.push_back(above ? shown(cell.brdf[i] / cell.brightest, linear) : k_none);
+    lobe.push_back(above ? shown(cell.lobe[i] / cell.brightest, linear) : k_none);
+    difference[i] = above ? shown_signed(difference[i], linear, reach) : k_none;
   }
   const Vec2d step(side + k_gap, 0);
   const Vec2d top = corner + Vec2d(0, k_note);
@@ -95,9 +97,9 @@ Status draw_cell(Figure& figure, const FitCell& cell, Vec2d corner, double side,
                             image::Colormap::blue_red, -1);
       !ok)
     return ok;
-  std::string note = fmt::format("TV {:.4f}  L2 {:.4f}  peak {:.4f}", cell.error.tv, cell.error.l2,
+  std::string note = fmt::format("TV {:.4f}, L2 {:.4f}, peak {:.4f}", cell.error.tv, cell.error.l2,
                                  cell.error.peak);
-  if (cell.window.is_zoomed()) note += fmt::format("  ×{:.3g}", 1.02 / cell.window.half);
+  if (cell.window.is_zoomed()) note += fmt::format(", ×{:.3g}", 1.02 / cell.window.half);
   draw_text(figure, corner + Vec2d(0, k_note - 6), note, {.size = 11});
   return Success{};
 }
@@ -158,9 +160,8 @@ Result<Figure> make_fit_figure(const FitFigureOptions& options) {
         {-1, fmt::format("−{:g}", reach)}, {0, "0"}, {1, fmt::format("{:g}", reach)}};
   } else {
     lobes.ticks = {{0, "≤ 1/1000"}, {1 / 3.0, "1/100"}, {2 / 3.0, "1/10"}, {1, "1"}};
-    differences.ticks = {{-1, "−1"}, {-2 / 3.0, "−1/10"}, {-1 / 3.0, "−1/100"},
-                         {0, "0"},   {1 / 3.0, "1/100"},  {2 / 3.0, "1/10"},
-                         {1, "1"}};
+    differences.ticks = {
+        {-1, "−1"}, {-2 / 3.0, "−1/10"}, {0, "≤ 1/1000"}, {2 / 3.0, "1/10"}, {1, "1"}};
   }
   if (Status ok = draw_color_bar(figure, Vec2d(k_left, y), Vec2d(bar_width, 12),
                                  image::Colormap::viridis, lobes);

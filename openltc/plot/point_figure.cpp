@@ -48,6 +48,11 @@ std::string percent(double x, int digits) {
   return fmt::format("{}{:.{}f} %", x < 0 ? "−" : "+", std::abs(100 * x), digits);
 }
 
+// Four digits, without a power of ten where whole numbers do.
+std::string luminance(double x) {
+  return x >= 1000 ? fmt::format("{:.0f}", x) : fmt::format("{:.4g}", x);
+}
+
 // The end of the scale of relative differences: one of a few round shares.
 double reach_of(std::span<const ScanPoint> scan, double brightest) {
   double most = 0;
@@ -90,11 +95,11 @@ Result<double> draw_row(Figure& figure, const PointFigureOptions& options,
   const double reach = reach_of(scan, brightest);
   const PointLuminance mirror = shade_floor(options.setup, roughness, lobes, Vec2d(0, 0));
 
-  draw_text(
-      figure, Vec2d(k_left, top + 16),
-      fmt::format("roughness {:g}: {} at the mirror direction, {:.4g} instead of {:.4g} cd/m²",
-                  roughness, percent(mirror.relative_difference(), 2), mirror.ltc, mirror.exact),
-      {.size = 13, .bold = true});
+  draw_text(figure, Vec2d(k_left, top + 16),
+            fmt::format("roughness {:g}: {} at the mirror direction, {} instead of {} cd/m²",
+                        roughness, percent(mirror.relative_difference(), 2), luminance(mirror.ltc),
+                        luminance(mirror.exact)),
+            {.size = 13, .bold = true});
   const Vec2d size(k_width, k_width * view.height / view.width);
   Vec2d corner(k_left, top + k_head);
   const char* names[] = {"exact: D V F cos", "LTC: F n₁ D", "(LTC − exact) / exact"};
