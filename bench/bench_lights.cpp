@@ -64,6 +64,46 @@ Work random_work(LightShape shape) {
   return work;
 }
 
+/// What a camera sees of a room with a lamp under its ceiling: sixteen pixels side by side, of one
+/// material, as a renderer shades them. Some are cut, by either horizon.
+Work room_work() {
+  Work work;
+  Random random(33);
+  const auto lamp = std::make_shared<const testing::TestPolygon>(
+      std::vector<testing::Ring>{testing::rectangle(1.2, 1.2)}, Vec3d(0, 0, 2.8), Vec3d(0, 1, 0),
+      Vec3d(1, 0, 0));
+  const Vec3d camera(0.3, -2.9, 1.5), half(3, 3, 1.5), centre(0, 0, 1.5);
+  for (int b = 0; b < k_batches; ++b) {
+    // 1280 pixels in 80 degrees.
+    const double column = random.uniform(-640, 640), row = random.uniform(-360, 360);
+    const float roughness = float(random.uniform());
+    std::vector<LightCase> sixteen(k_batch);
+    for (int i = 0; i < k_batch; ++i) {
+      const Vec3d ray = normalize(Vec3d((column + i) / 763, 1, row / 763));
+      const auto to_wall = [&](double c, double h, double x, double d) {
+        return d == 0 ? 1e30 : (c + (d > 0 ? h : -h) - x) / d;
+      };
+      const Vec3d t(to_wall(centre.x, half.x, camera.x, ray.x),
+                    to_wall(centre.y, half.y, camera.y, ray.y),
+                    to_wall(centre.z, half.z, camera.z, ray.z));
+      const double nearest = std::min({t.x, t.y, t.z});
+      Vec3d normal(0, 0, 0);
+      if (nearest == t.x) normal.x = ray.x > 0 ? -1 : 1;
+      else if (nearest == t.y) normal.y = ray.y > 0 ? -1 : 1;
+      else normal.z = ray.z > 0 ? -1 : 1;
+      LightCase& light = sixteen[std::size_t(i)];
+      light.shape = LightShape::rectangle;
+      light.polygon = lamp;
+      light.position = testing::to_float(camera + ray * nearest);
+      light.normal = testing::to_float(normal);
+      light.wo = testing::to_float(ray * -1.0);
+      light.roughness = roughness;
+    }
+    work.add(sixteen);
+  }
+  return work;
+}
+
 /// A floor's points under a quad: a ceiling lamp, or a wall that the floor's horizon cuts.
 Work quad_work(bool cut) {
   Work work;
@@ -96,13 +136,13 @@ benchmark::Counter per_evaluation(int evaluations) {
                                                     benchmark::Counter::kInvert);
 }
 
-void run_target(benchmark::State& state, const Work& work, testing::EvaluateLights evaluate) {
+void run_target(benchmark::State& state, const Work& work, testing::ShadeLights shade) {
   const LobeTableView table = table::builtin_ggx_table().view();
-  LightAnswers answers;
+  float shaded[3][k_batch];
   for (auto _ : state)
     for (const LightBatch& batch : work.batches) {
-      evaluate(batch, table, &answers);
-      benchmark::DoNotOptimize(answers.shaded[0]);
+      shade(batch, table, shaded);
+      benchmark::DoNotOptimize(shaded);
       benchmark::ClobberMemory();
     }
   state.counters["ns/eval"] = per_evaluation(k_batches * k_batch);
@@ -110,7 +150,7 @@ void run_target(benchmark::State& state, const Work& work, testing::EvaluateLigh
 
 void run_usual(benchmark::State& state, const Work& work) {
   const bench::UsualTable table = bench::usual_table();
-  float out[k_batch];
+  float out[3][k_batch];
   for (auto _ : state)
     for (const LightBatch& batch : work.batches) {
       bench::usual_quad(batch, table, 0, k_batch, out);
@@ -182,14 +222,14 @@ double difference_from_usual(const Work& work) {
     std::fill_n(batch.albedo, k_batch, 0.0f);
     LightAnswers answers;
     testing::evaluate_lights_scalar(batch, lobes, &answers);
-    float out[k_batch];
+    float out[3][k_batch];
     bench::usual_quad(batch, table, 0, k_batch, out);
     for (int i = 0; i < k_batch; ++i) {
       const Vec3f n(batch.normal[0][i], batch.normal[1][i], batch.normal[2][i]);
       const Vec3f wo(batch.wo[0][i], batch.wo[1][i], batch.wo[2][i]);
       const float n1 =
           f32::fetch_lobe(lobes, f32::alpha_from_roughness(batch.roughness[i]), dot(n, wo)).n1;
-      sum += double(std::abs(out[i] / n1 - answers.specular[i]));
+      sum += double(std::abs(out[0][i] / n1 - answers.specular[i]));
     }
   }
   return sum / double(work.batches.size() * k_batch);
@@ -201,30 +241,30 @@ int main(int argc, char** argv) {
   std::vector<Work> shapes;
   for (int k = 0; k < testing::k_light_shapes; ++k)
     shapes.push_back(random_work(testing::shape_of_index(k)));
-  const Work quads[2] = {quad_work(false), quad_work(true)};
-  const char* const quad_names[2] = {"quad_above", "quad_cut"};
+  const Work quads[] = {quad_work(false), room_work(), quad_work(true)};
+  const char* const quad_names[] = {"quad_above", "quad_room", "quad_cut"};
 
   for (const LightTarget& target : testing::light_targets()) {
     const std::string suffix = std::string("/") + target.name;
-    for (int q = 0; q < 2; ++q)
+    for (int q = 0; q < 3; ++q)
       benchmark::RegisterBenchmark((quad_names[q] + suffix).c_str(), run_target,
-                                   std::cref(quads[q]), target.evaluate);
+                                   std::cref(quads[q]), target.shade);
     for (int k = 0; k < testing::k_light_shapes; ++k)
       benchmark::RegisterBenchmark(
           (testing::shape_name(testing::shape_of_index(k)) + suffix).c_str(), run_target,
-          std::cref(shapes[std::size_t(k)]), target.evaluate);
+          std::cref(shapes[std::size_t(k)]), target.shade);
     for (const NamedPeak& p : k_peaks)
       if (p.name == std::string(target.name))
         benchmark::RegisterBenchmark((std::string("peak") + suffix).c_str(), run_peak, p.peak);
   }
-  for (int q = 0; q < 2; ++q)
+  for (int q = 0; q < 3; ++q)
     benchmark::RegisterBenchmark((quad_names[q] + std::string("/usual")).c_str(), run_usual,
                                  std::cref(quads[q]));
   benchmark::Initialize(&argc, argv);
   Keeper keeper;
   benchmark::RunSpecifiedBenchmarks(&keeper);
 
-  for (int q = 0; q < 2; ++q) {
+  for (int q = 0; q < 3; ++q) {
     const std::string name = quad_names[q];
     const double usual = keeper.value(name + "/usual ns/eval");
     if (usual <= 0) continue;

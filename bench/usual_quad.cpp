@@ -87,7 +87,7 @@ UsualTable usual_table() {
 }
 
 void usual_quad(const testing::LightBatch& batch, const UsualTable& table, int first, int count,
-                float* out) {
+                float (*out)[testing::k_batch]) {
   for (int i = first; i < first + count; ++i) {
     const auto get = [&](const float(&v)[3][testing::k_batch]) {
       return Vec3f(v[0][i], v[1][i], v[2][i]);
@@ -110,7 +110,7 @@ void usual_quad(const testing::LightBatch& batch, const UsualTable& table, int f
     const float* normal = batch.polygon.normal;
     const Vec3f to_light = Vec3f(p[0], p[1], p[2]) - position;
     if (dot(to_light, Vec3f(normal[0], normal[1], normal[2])) >= 0 && !batch.polygon.two_sided) {
-      out[i] = 0;
+      out[0][i] = out[1][i] = out[2][i] = 0;
       continue;
     }
     Vec3f above[6], transformed[6], lit[8];
@@ -121,8 +121,13 @@ void usual_quad(const testing::LightBatch& batch, const UsualTable& table, int f
       transformed[k] = Vec3f(m[0] * c.x + m[1] * c.z, c.y, m[2] * c.x + m[3] * c.z);
     }
     const float specular = irradiance(lit, clip_to_horizon(transformed, corners, lit));
-    const float reflectance = batch.f0[i] * amplitude[0] + (1 - batch.f0[i]) * amplitude[1];
-    out[i] = batch.albedo[i] * (1 - reflectance) * diffuse + reflectance * specular;
+    const Vec3f albedo(batch.albedo[i]), f0(batch.f0[i]);
+    const Vec3f reflectance = f0 * amplitude[0] + (Vec3f(1.0f) - f0) * amplitude[1];
+    const float left = 1 - std::max(std::max(reflectance.x, reflectance.y), reflectance.z);
+    const Vec3f light = albedo * (left * diffuse) + reflectance * specular;
+    out[0][i] = light.x;
+    out[1][i] = light.y;
+    out[2][i] = light.z;
   }
 }
 

@@ -19,8 +19,8 @@ struct UsualTable {
 };
 UsualTable usual_table();
 
-/// Diffuse and specular light of radiance 1, one channel, of points first .. first + count - 1.
+/// Diffuse and specular light of radiance 1, RGB, of points first .. first + count - 1.
 void usual_quad(const testing::LightBatch& batch, const UsualTable& table, int first, int count,
-                float* out);
+                float (*out)[testing::k_batch]);
 
 } // namespace openltc::bench

@@ -39,7 +39,7 @@ Brdf make_phong() {
         if (one_minus >= 1) return BrdfValue{};
         const double value = (exponent + 2) * f64::k_half_inv_pi *
                              std::exp(exponent * std::log1p(-one_minus)) * wi.z;
-        return BrdfValue{value, value * f64::schlick_weight_between(wo, wi)};
+        return BrdfValue{value, value * f64::schlick_weight_between(dot(wo, wi))};
       }};
 }
 

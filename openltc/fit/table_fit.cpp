@@ -228,8 +228,7 @@ Status check_lobes(const brdf::Brdf& brdf, const LobeTable& t) {
       const double y = double(j) / ((t.rows - 1) * k_per_cell);
       const double alpha = f64::alpha_from_roughness(x);
       const double width = t.width == brdf::LobeWidth::alpha ? alpha : 1.0;
-      const Vec2d uv(f64::table_coordinate(x, t.columns), f64::table_coordinate(y, t.rows));
-      const Vec4d m = f64::lobe_table_texel(t.view(), uv).coefficients;
+      const Vec4d m = f64::lobe_table_texel(t.view(), {x, y}).coefficients;
       if (!(m.x * m.w - width * m.y * m.z > 0))
         return Error{fmt::format(
             "brdf {}: the lobes of neighbouring nodes do not interpolate near roughness {:.3f}, "

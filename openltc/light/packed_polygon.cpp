@@ -9,7 +9,6 @@
 
 #include "openltc/light/packed_polygon.h"
 
-#include "openltc/light/convex_outline.h"
 #include "openltc/light/polygon_moments.h"
 
 #include <algorithm>
@@ -175,7 +174,6 @@ PackedPolygon pack_polygon(const PolygonLight& light) {
   for (std::size_t i = 0; i + 1 < packed.in_plane.size(); i += 2)
     flat_points.push_back({double(packed.in_plane[i]), double(packed.in_plane[i + 1])});
   const auto starts_ring = [&](std::size_t i) { return packed.points[4 * i + 3] != 0.0f; };
-  packed.view.convex = is_convex_outline(flat_points, starts_ring);
   const PolygonMoments moments = polygon_moments(flat_points, starts_ring);
   double radius = 0;
   for (const Vec2d& p : flat_points)

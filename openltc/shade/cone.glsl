@@ -297,7 +297,10 @@ FN_CALL Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
         ConePoint to = cone_point(cone, part.start + high);
         Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
         sum = sum + select(some, to.sum - from.sum, none);
-        ends = ends + select(some, apex_term(to.direction, s) - apex_term(from.direction, s), none);
+        ends = ends + select(some,
+                             apex_term(to.direction, inverse_length(to.direction), s) -
+                                 apex_term(from.direction, inverse_length(from.direction), s),
+                             none);
       }
     }
   }

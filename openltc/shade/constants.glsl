@@ -11,6 +11,7 @@ CONSTANT k_half_inv_pi = 0.15915494309189533577;
 /// density; at this width the lobe is 0.01 degrees wide, below what a pixel resolves, and single
 /// precision still carries it.
 CONSTANT k_min_alpha = 1.0e-4;
+CONSTANT k_min_roughness = 0.01;
 
 /// What rounding may make of a distance of 0 from a plane, relative to that from the plane's origin:
 /// four units in the last place of single precision.
@@ -27,6 +28,6 @@ CONSTANT k_min_share = 0.01;
 /// Added under a division or a square root whose argument may vanish; far below any length in use.
 CONSTANT k_tiny = 1.0e-30;
 
-/// Square of the least length that an edge's end may have before it counts as the origin itself: the
-/// product of two inverse lengths and of an inverse sine, at most 1e15, stays finite.
-CONSTANT k_least_length2 = 1.0e-20;
+/// Added to the square of a length under an inverse root: the product of two inverse lengths, at most
+/// 1e11 each, and an inverse sine, at most 1e15, stays finite.
+CONSTANT k_least_length2 = 1.0e-22;

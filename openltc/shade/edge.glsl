@@ -23,6 +23,11 @@
 // no search for neighbours: the result is a plain sum over edges. The arc to the apex q = (0, s, 0)
 // has (p x q)_z = s p_x.
 
+/// 1 / |v|, finite for the origin too: what is added vanishes beside lengths above 1e-8.
+FN Real inverse_length(Vec3 v) {
+  return inversesqrt(v.x * v.x + (v.y * v.y + (v.z * v.z + Real(k_least_length2))));
+}
+
 /// v / |v|, or the normal where v has no direction to speak of.
 FN Vec3 safe_direction(Vec3 v) {
   Real length2 = dot(v, v);
@@ -33,9 +38,10 @@ FN Vec3 safe_direction(Vec3 v) {
 
 /// theta / sin(theta) from x = cos(theta), for 0 <= theta <= pi/2; of -x for x < 0.
 ///
-/// A rational minimax fit of degree 3/3, relative error 1.0e-9.
+/// A rational minimax fit of degree 3/3, relative error 1.0e-9; smooth at 1, so that a cosine that
+/// rounding took beyond does no harm.
 FN Real acute_over_sin(Real x) {
-  Real y = min(abs(x), Real(1.0));
+  Real y = abs(x);
   Real p = Real(1.5707963252152057) +
            y * (Real(1.638642066993385) +
                 y * (Real(0.35581734455759484) + y * Real(0.004572514079188905)));
@@ -79,13 +85,12 @@ FN Vec3 edge_term_scaled(Vec3 a, Vec3 b, Vec3 d, Real inv_a, Real inv_b) {
 }
 
 FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {
-  return edge_term_scaled(a, b, d, inversesqrt(max(dot(a, a), Real(k_least_length2))),
-                          inversesqrt(max(dot(b, b), Real(k_least_length2))));
+  return edge_term_scaled(a, b, d, inverse_length(a), inverse_length(b));
 }
 
 /// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
-FN Vec3 apex_term(Vec3 p, Real s) {
-  Vec3 u = p * inversesqrt(max(dot(p, p), Real(k_tiny)));
+FN Vec3 apex_term(Vec3 p, Real inv_p, Real s) {
+  Vec3 u = p * inv_p;
   Real weight = s * theta_over_sin(s * u.y, u.x * u.x + u.z * u.z);
   return Vec3(-weight * u.z, Real(0.0), weight * u.x);
 }
@@ -112,8 +117,6 @@ struct ClippedEdge {
   Vec3 p1;
   Real extent; // in units of the edge
   Mask outside;
-  Mask p0_on_surface; // whether an edge that enters does so through the surface's horizon
-  Mask p1_on_surface; // whether one that leaves does
 };
 
 /// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
@@ -127,45 +130,81 @@ FN ClippedEdge clip_edge(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
   // length left but still opens or closes the outline there.
   edge.outside = (a_z < Real(0.0) && b_z < Real(0.0)) ||
                  (a_o.z < Real(0.0) && b_o.z < Real(0.0)) || t0 > t1;
-  edge.p0_on_surface = a_z < Real(0.0) && surface.t0 >= cosine.t0;
-  edge.p1_on_surface = b_z < Real(0.0) && surface.t1 <= cosine.t1;
   Vec3 d = b_o - a_o;
   edge.p0 = a_o + d * t0;
   edge.p1 = a_o + d * t1;
   edge.extent = t1 - t0;
-  // A point cut at the cosine's horizon lies on it.
-  edge.p0.z = max(edge.p0.z, Real(0.0));
-  edge.p1.z = max(edge.p1.z, Real(0.0));
+  // A point cut at the cosine's horizon lies on it: seen near the apex, what rounding leaves of its
+  // height would tilt the arc that closes.
+  edge.p0.z = select(cosine.t0 > surface.t0, Real(0.0), max(edge.p0.z, Real(0.0)));
+  edge.p1.z = select(cosine.t1 < surface.t1, Real(0.0), max(edge.p1.z, Real(0.0)));
   return edge;
 }
 
-/// One edge of the outline, clipped to the wedge and closed towards the apex where it was cut. An
+/// One edge of an outline, clipped to the half space z >= 0 and closed along its plane towards the
+/// apex where it was cut: the diffuse part, which has one horizon.
+FN Vec3 edge_term_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 d = b - a;
+  Mask a_up = a.z >= Real(0.0);
+  Mask b_up = b.z >= Real(0.0);
+  // Uniform shortcuts: no lane needs to clip, or none has anything left.
+  if (all_lanes(a_up && b_up)) {
+    return edge_term_scaled(a, b, d, inv_a, inv_b);
+  }
+  if (!any_lane(a_up || b_up)) {
+    return none;
+  }
+  // q is where the edge was cut, which closes the outline by the angle from there to the apex.
+  Real t = abs(a.z) * reciprocal(max(abs(a.z) + abs(b.z), Real(k_tiny)));
+  Vec3 q = Vec3(a.x + d.x * t, a.y + d.y * t, Real(0.0));
+  Real inv_q = inverse_length(q);
+  Real extent = select(a_up, select(b_up, Real(1.0), t), Real(1.0) - t);
+  Vec3 sum = edge_term_scaled(select(a_up, a, q), select(b_up, b, q), d * extent,
+                              select(a_up, inv_a, inv_q), select(b_up, inv_b, inv_q));
+  Real leaves = select(a_up, select(b_up, Real(0.0), Real(1.0)), Real(-1.0));
+  sum.z = sum.z + leaves * apex_term(q, inv_q, s).z;
+  return select(a_up || b_up, sum, none);
+}
+
+/// One edge of an outline, clipped to the wedge and closed towards the apex where it was cut. An
 /// outline passes the inverse lengths of its points on from edge to edge.
 FN Vec3 clipped_edge_term_scaled(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s, Real inv_a,
                                  Real inv_b) {
-  Vec3 d = b_o - a_o;
   Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   Mask a_inside = a_z >= Real(0.0) && a_o.z >= Real(0.0);
   Mask b_inside = b_z >= Real(0.0) && b_o.z >= Real(0.0);
   // Uniform shortcuts: no lane needs to clip, or none has anything left.
   if (all_lanes(a_inside && b_inside)) {
-    return edge_term_scaled(a_o, b_o, d, inv_a, inv_b);
+    return edge_term_scaled(a_o, b_o, b_o - a_o, inv_a, inv_b);
   }
   if (!any_lane((a_z >= Real(0.0) || b_z >= Real(0.0)) &&
                 (a_o.z >= Real(0.0) || b_o.z >= Real(0.0)))) {
     return none;
   }
   ClippedEdge edge = clip_edge(a_o, b_o, a_z, b_z);
-  Vec3 sum = edge_term(edge.p0, edge.p1, d * edge.extent);
-  sum = sum - select(a_inside, none, apex_term(edge.p0, s));
-  sum = sum + select(b_inside, none, apex_term(edge.p1, s));
+  // Nearly always one end at most was cut, q.
+  Vec3 q = select(a_inside, edge.p1, edge.p0);
+  Real inv_q = inverse_length(q);
+  Real inv_p1 = select(b_inside, inv_b, inv_q);
+  Real leaves = select(a_inside, select(b_inside, Real(0.0), Real(1.0)), Real(-1.0));
+  Vec3 closing = apex_term(q, inv_q, s) * leaves;
+  Mask both = !a_inside && !b_inside && !edge.outside;
+  if (any_lane(both)) {
+    Real inv_end = inverse_length(edge.p1);
+    inv_p1 = select(both, inv_end, inv_p1);
+    closing = closing + select(both, apex_term(edge.p1, inv_end, s), none);
+  }
+  // An end that was not cut stays the very point whose inverse length is known.
+  Vec3 sum = edge_term_scaled(edge.p0, select(b_inside, b_o, edge.p1),
+                              (b_o - a_o) * edge.extent, select(a_inside, inv_a, inv_q), inv_p1) +
+             closing;
   return select(edge.outside, none, sum);
 }
 
 FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
-  return clipped_edge_term_scaled(a_o, b_o, a_z, b_z, s,
-                                  inversesqrt(max(dot(a_o, a_o), Real(k_least_length2))),
-                                  inversesqrt(max(dot(b_o, b_o), Real(k_least_length2))));
+  return clipped_edge_term_scaled(a_o, b_o, a_z, b_z, s, inverse_length(a_o),
+                                  inverse_length(b_o));
 }
 
 /// The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own
@@ -173,8 +212,11 @@ FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
 /// may make them disagree; this way that does not matter.
 FN Vec3 closed_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
   ClippedEdge edge = clip_edge(a_o, b_o, a_z, b_z);
-  Vec3 sum = edge_term(edge.p0, edge.p1, (b_o - a_o) * edge.extent) + apex_term(edge.p1, s) -
-             apex_term(edge.p0, s);
+  Real inv_p0 = inverse_length(edge.p0);
+  Real inv_p1 = inverse_length(edge.p1);
+  Vec3 sum =
+      edge_term_scaled(edge.p0, edge.p1, (b_o - a_o) * edge.extent, inv_p0, inv_p1) +
+      apex_term(edge.p1, inv_p1, s) - apex_term(edge.p0, inv_p0, s);
   return select(edge.outside, Vec3(Real(0.0), Real(0.0), Real(0.0)), sum);
 }
 

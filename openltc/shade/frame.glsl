@@ -18,13 +18,16 @@ FN Frame shading_frame(Vec3 n, Vec3 wo) {
   Vec3 in_plane = wo - n * dot(n, wo);
   Real length2 = dot(in_plane, in_plane);
 
-  Real s = select(n.z < Real(0.0), Real(-1.0), Real(1.0));
-  Real a = Real(-1.0) / (s + n.z);
-  Vec3 any_tangent = Vec3(Real(1.0) + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
-
   // Below this sine, 1e-4, rounding would dominate the direction; the lobe is round there.
   Mask parallel = length2 < Real(1.0e-8);
-  Vec3 t1 = select(parallel, any_tangent, in_plane * inversesqrt(max(length2, Real(1.0e-8))));
+  Vec3 t1 = in_plane * inversesqrt(max(length2, Real(1.0e-8)));
+  // Uniform shortcut: no lane looks along its normal.
+  if (any_lane(parallel)) {
+    Real s = select(n.z < Real(0.0), Real(-1.0), Real(1.0));
+    Real a = Real(-1.0) / (s + n.z);
+    Vec3 any_tangent = Vec3(Real(1.0) + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
+    t1 = select(parallel, any_tangent, t1);
+  }
 
   Frame frame;
   frame.t1 = t1;

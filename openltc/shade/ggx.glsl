@@ -54,10 +54,10 @@ FN Real schlick_weight(Real o_dot_h) {
   return m2 * m2 * m;
 }
 
-/// schlick_weight at the microfacet that reflects one unit direction into the other:
-/// wo.h = sqrt((1 + wo.wi) / 2).
-FN Real schlick_weight_between(Vec3 wo, Vec3 wi) {
-  return schlick_weight(sqrt(max(Real(0.5) + Real(0.5) * dot(wo, wi), Real(0.0))));
+/// schlick_weight at the microfacet that reflects one unit direction into the other, from their
+/// cosine: wo.h = sqrt((1 + wo.wi) / 2).
+FN Real schlick_weight_between(Real o_dot_i) {
+  return schlick_weight(sqrt(max(Real(0.5) + Real(0.5) * o_dot_i, Real(0.0))));
 }
 
 /// Schlick's Fresnel reflectance; o_dot_h is the cosine at the microfacet, not at the surface.

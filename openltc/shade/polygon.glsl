@@ -14,7 +14,6 @@
 //   Vec3 polygon_origin(Polygon), polygon_axis_u(Polygon), polygon_axis_v(Polygon),
 //   Vec3 polygon_normal(Polygon)                 that frame; unit normal to the emitting side
 //   bool polygon_two_sided(Polygon)
-//   bool polygon_convex(Polygon)                 one ring that no plane cuts more than twice
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see light::PolygonMoments; around the centroid
@@ -30,162 +29,86 @@ struct EdgeSums {
   Vec3 specular; // the same in cosine space
 };
 
-/// The edge sums of a polygon, s being its apex_side. Positive z behind the polygon, negative in
-/// front: there an outline that is counter-clockwise about the normal runs clockwise about
+/// A corner of an outline as a point sees it.
+struct Corner {
+  Vec3 p;     // shading space
+  Vec3 o;     // cosine space
+  Real inv_p; // 1 / length
+  Real inv_o;
+};
+
+FN Corner corner_seen(Polygon polygon, int i, Vec3 position, Frame frame, Lobe lobe) {
+  Corner corner;
+  corner.p = to_shading(frame, polygon_point(polygon, i) - position);
+  corner.o = to_cosine(lobe, corner.p);
+  corner.inv_p = inverse_length(corner.p);
+  corner.inv_o = inverse_length(corner.o);
+  return corner;
+}
+
+/// Height over the nearer of the two horizons, in units of its own space.
+FN Real least_height(Corner corner) { return min(corner.p.z, corner.o.z); }
+
+FN Vec3 diffuse_term(Corner a, Corner b, Real s) {
+  return edge_term_above(a.p, b.p, s, a.inv_p, b.inv_p);
+}
+
+FN Vec3 specular_term(Corner a, Corner b, Real s) {
+  return clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
+}
+
+/// The same of an edge above both horizons.
+FN Vec3 whole_diffuse_term(Corner a, Corner b) {
+  return edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
+}
+
+FN Vec3 whole_specular_term(Corner a, Corner b) {
+  return edge_term_scaled(a.o, b.o, b.o - a.o, a.inv_o, b.inv_o);
+}
+
+/// The edge sums of a polygon at signed distance h along its normal. Positive z behind it, negative
+/// in front: there an outline that is counter-clockwise about the normal runs clockwise about
 /// directions from the surface.
-FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real s) {
+FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h) {
+  Real s = apex_side(dot(frame.t2, polygon_normal(polygon)), h);
   EdgeSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
   sums.specular = sums.diffuse;
-  Vec3 a = Vec3(Real(0.0), Real(0.0), Real(1.0));
-  Vec3 a_o = a;
-  Real inv_a = Real(1.0);
-  Real inv_a_o = Real(1.0);
+  Corner a = corner_seen(polygon, 0, position, frame, lobe);
   int count = polygon_point_count(polygon);
-  for (int i = 0; i < count; ++i) {
-    Vec3 b = to_shading(frame, polygon_point(polygon, i) - position);
-    Vec3 b_o = to_cosine(lobe, b);
-    Real inv_b = inversesqrt(max(dot(b, b), Real(k_least_length2)));
-    Real inv_b_o = inversesqrt(max(dot(b_o, b_o), Real(k_least_length2)));
+  for (int i = 1; i < count; ++i) {
+    Corner b = corner_seen(polygon, i, position, frame, lobe);
     if (!polygon_starts_ring(polygon, i)) {
-      sums.diffuse = sums.diffuse + clipped_edge_term_scaled(a, b, a.z, b.z, s, inv_a, inv_b);
-      sums.specular =
-          sums.specular + clipped_edge_term_scaled(a_o, b_o, a.z, b.z, s, inv_a_o, inv_b_o);
+      sums.diffuse = sums.diffuse + diffuse_term(a, b, s);
+      sums.specular = sums.specular + specular_term(a, b, s);
     }
     a = b;
-    a_o = b_o;
-    inv_a = inv_b;
-    inv_a_o = inv_b_o;
   }
   return sums;
 }
 
-/// Where the outline of a convex polygon leaves and enters through one horizon; the apex where it does
-/// not, whose own arc is none.
-struct HorizonCut {
-  Vec3 leaves;
-  Vec3 enters;
-};
-
-FN HorizonCut no_cut(Real s) {
-  HorizonCut cut;
-  cut.leaves = Vec3(Real(0.0), s, Real(0.0));
-  cut.enters = cut.leaves;
-  return cut;
-}
-
-/// Angle from a point of the plane with unit normal n, which holds the y axis, to the apex.
-FN Real angle_to_apex(Vec3 p, Vec3 n, Real s) {
-  Real x = p.x * n.z - p.z * n.x;
-  Real inv_length = inversesqrt(max(x * x + p.y * p.y, Real(k_tiny)));
-  x = x * inv_length;
-  return s * x * theta_over_sin(s * p.y * inv_length, x * x);
-}
-
-/// Closes the outline along the horizon with unit normal n, by way of the apex: the arc from one point
-/// to the other may be nearly half a turn, whose side rounding could not tell.
-FN Vec3 closing_arcs_term(HorizonCut cut, Vec3 n, Real s) {
-  return n * (angle_to_apex(cut.leaves, n, s) - angle_to_apex(cut.enters, n, s));
-}
-
-/// The sums of a convex polygon, and whether they hold: rounding may make a side along a horizon
-/// cross it more than once.
-struct ConvexSums {
+/// sum_edges for four corners, which are seen once each.
+FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h) {
+  Corner a = corner_seen(polygon, 0, position, frame, lobe);
+  Corner b = corner_seen(polygon, 1, position, frame, lobe);
+  Corner c = corner_seen(polygon, 2, position, frame, lobe);
+  Corner d = corner_seen(polygon, 3, position, frame, lobe);
+  Real lowest = min(min(least_height(a), least_height(b)), min(least_height(c), least_height(d)));
   EdgeSums sums;
-  Mask valid;
-};
-
-/// sum_edges for a convex polygon, which each horizon cuts once or not at all: the arcs that close it
-/// are summed once for each horizon, not for every edge.
-FN ConvexSums sum_convex_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real s) {
-  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  HorizonCut diffuse_cut = no_cut(s);
-  HorizonCut surface_cut = diffuse_cut;
-  HorizonCut cosine_cut = diffuse_cut;
-  Real surface_leaves = Real(0.0);
-  Real cosine_leaves = Real(0.0);
-  EdgeSums sums;
-  sums.diffuse = none;
-  sums.specular = none;
-  Vec3 first = to_shading(frame, polygon_point(polygon, 0) - position);
-  Vec3 first_o = to_cosine(lobe, first);
-  Real inv_first = inversesqrt(max(dot(first, first), Real(k_least_length2)));
-  Real inv_first_o = inversesqrt(max(dot(first_o, first_o), Real(k_least_length2)));
-  Vec3 a = first;
-  Vec3 a_o = first_o;
-  Real inv_a = inv_first;
-  Real inv_a_o = inv_first_o;
-  int count = polygon_point_count(polygon);
-  for (int i = 1; i < count; ++i) {
-    Vec3 b = first;
-    Vec3 b_o = first_o;
-    Real inv_b = inv_first;
-    Real inv_b_o = inv_first_o;
-    if (i + 1 < count) {
-      b = to_shading(frame, polygon_point(polygon, i) - position);
-      b_o = to_cosine(lobe, b);
-      inv_b = inversesqrt(max(dot(b, b), Real(k_least_length2)));
-      inv_b_o = inversesqrt(max(dot(b_o, b_o), Real(k_least_length2)));
-    }
-    Mask a_up = a.z >= Real(0.0);
-    Mask b_up = b.z >= Real(0.0);
-    // Uniform shortcuts: no lane's edge is below the surface, or every lane's is.
-    if (all_lanes(a_up && b_up)) {
-      sums.diffuse = sums.diffuse + edge_term_scaled(a, b, b - a, inv_a, inv_b);
-    } else if (any_lane(a_up || b_up)) {
-      Span span = span_above(a.z, b.z);
-      Vec3 d = b - a;
-      Vec3 p0 = a + d * span.t0;
-      Vec3 p1 = a + d * span.t1;
-      p0.z = max(p0.z, Real(0.0));
-      p1.z = max(p1.z, Real(0.0));
-      Mask enters = !a_up && b_up;
-      Mask leaves = a_up && !b_up;
-      diffuse_cut.enters = select(enters, p0, diffuse_cut.enters);
-      diffuse_cut.leaves = select(leaves, p1, diffuse_cut.leaves);
-      surface_leaves = surface_leaves + select(leaves, Real(1.0), Real(0.0));
-      sums.diffuse =
-          sums.diffuse + select(a_up || b_up, edge_term(p0, p1, d * (span.t1 - span.t0)), none);
-    }
-    Mask a_inside = a_up && a_o.z >= Real(0.0);
-    Mask b_inside = b_up && b_o.z >= Real(0.0);
-    if (all_lanes(a_inside && b_inside)) {
-      sums.specular = sums.specular + edge_term_scaled(a_o, b_o, b_o - a_o, inv_a_o, inv_b_o);
-    } else if (any_lane((a_up || b_up) && (a_o.z >= Real(0.0) || b_o.z >= Real(0.0)))) {
-      ClippedEdge edge = clip_edge(a_o, b_o, a.z, b.z);
-      Mask enters = !a_inside && !edge.outside;
-      Mask leaves = !b_inside && !edge.outside;
-      Mask on_surface = enters && edge.p0_on_surface;
-      surface_cut.enters = select(on_surface, edge.p0, surface_cut.enters);
-      cosine_cut.enters = select(enters && !on_surface, edge.p0, cosine_cut.enters);
-      on_surface = leaves && edge.p1_on_surface;
-      surface_cut.leaves = select(on_surface, edge.p1, surface_cut.leaves);
-      cosine_cut.leaves = select(leaves && !on_surface, edge.p1, cosine_cut.leaves);
-      sums.specular = sums.specular +
-                      select(edge.outside, none,
-                             edge_term(edge.p0, edge.p1, (b_o - a_o) * edge.extent));
-    }
-    cosine_leaves = cosine_leaves +
-                    select(a_o.z >= Real(0.0) && b_o.z < Real(0.0), Real(1.0), Real(0.0));
-    a = b;
-    a_o = b_o;
-    inv_a = inv_b;
-    inv_a_o = inv_b_o;
+  // Uniform shortcut: no lane has anything to clip.
+  if (all_lanes(lowest >= Real(0.0))) {
+    sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) +
+                   whole_diffuse_term(c, d) + whole_diffuse_term(d, a);
+    sums.specular = whole_specular_term(a, b) + whole_specular_term(b, c) +
+                    whole_specular_term(c, d) + whole_specular_term(d, a);
+  } else {
+    Real s = apex_side(dot(frame.t2, polygon_normal(polygon)), h);
+    sums.diffuse = diffuse_term(a, b, s) + diffuse_term(b, c, s) + diffuse_term(c, d, s) +
+                   diffuse_term(d, a, s);
+    sums.specular = specular_term(a, b, s) + specular_term(b, c, s) + specular_term(c, d, s) +
+                    specular_term(d, a, s);
   }
-  Vec3 up = Vec3(Real(0.0), Real(0.0), Real(1.0));
-  // Uniform shortcuts: no lane was cut.
-  if (any_lane(surface_leaves > Real(0.0))) {
-    sums.diffuse = sums.diffuse + closing_arcs_term(diffuse_cut, up, s);
-    sums.specular =
-        sums.specular + closing_arcs_term(surface_cut, horizon_normal_cosine(lobe), s);
-  }
-  if (any_lane(cosine_leaves > Real(0.0))) {
-    sums.specular = sums.specular + closing_arcs_term(cosine_cut, up, s);
-  }
-  ConvexSums result;
-  result.sums = sums;
-  result.valid = surface_leaves <= Real(1.0) && cosine_leaves <= Real(1.0);
-  return result;
+  return sums;
 }
 
 /// A small polygon: where it is in shading space, and how far it spreads.
@@ -267,22 +190,19 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
   EdgeSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
   sums.specular = sums.diffuse;
-  // Uniform shortcuts: no lane wants one form or the other.
-  if (any_lane(exact_diffuse > Real(0.0) || exact_specular > Real(0.0))) {
-    Real s = apex_side(dot(frame.t2, normal), h);
-    bool done = false;
-    if (polygon_convex(polygon)) {
-      ConvexSums convex = sum_convex_edges(polygon, position, frame, lobe, s);
-      sums = convex.sums;
-      done = all_lanes(convex.valid);
-    }
-    if (!done) {
-      sums = sum_edges(polygon, position, frame, lobe, s);
+  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
+  Mask lit = side != Real(0.0);
+  if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
+    // Five points, the first of them twice, are one ring.
+    if (polygon_point_count(polygon) == 5) {
+      sums = sum_quad_edges(polygon, position, frame, lobe, h);
+    } else {
+      sums = sum_edges(polygon, position, frame, lobe, h);
     }
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }
-  if (any_lane(exact_diffuse < Real(1.0) || exact_specular < Real(1.0))) {
+  if (any_lane(lit && (exact_diffuse < Real(1.0) || exact_specular < Real(1.0)))) {
     SmallPolygon small;
     small.center = center;
     small.u = to_shading(frame, polygon_spread_u(polygon));

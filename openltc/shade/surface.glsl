@@ -28,6 +28,11 @@ struct Surface {
   Real inv_share;   // 1 / share_above_horizon
 };
 
+/// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
+FN Real fresnel_weight(Vec3 wo, Vec3 wi) {
+  return schlick_weight_between(wo.x * wi.x + wo.z * wi.z);
+}
+
 /// Prepares a point for shading. `fitted` is the lobe of alpha_from_roughness(roughness) and
 /// dot(normal, wo_world), from a table or a polynomial. `normal` and `wo_world` are unit; `albedo`
 /// is (1 - metallic) c.
@@ -37,15 +42,15 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
   s.position = position;
   s.position_error = k_position_rounding * sqrt(dot(position, position));
   s.frame = shading_frame(normal, wo_world);
-  s.wo = to_shading(s.frame, wo_world);
+  s.wo = Vec3(dot(s.frame.t1, wo_world), Real(0.0), dot(normal, wo_world));
   s.alpha = alpha_from_roughness(roughness);
   s.f0 = f0;
   s.f90 = f90;
   s.fitted = fitted;
   s.specular = specular_amplitude(fitted, f0, f90);
-  s.inv_share = Real(1.0) / max(share_above_horizon(fitted.lobe), Real(k_min_share));
+  s.inv_share = reciprocal(max(share_above_horizon(fitted.lobe), Real(k_min_share)));
   Vec3 mean = safe_direction(mean_above_horizon(fitted.lobe));
-  s.axis_weight = fitted.n5 / max(fitted.n1, Real(k_tiny)) - schlick_weight_between(s.wo, mean);
+  s.axis_weight = fitted.n5 * reciprocal(max(fitted.n1, Real(k_tiny))) - fresnel_weight(s.wo, mean);
   Real taken = max(max(s.specular.x, s.specular.y), s.specular.z);
   s.diffuse = albedo * max(Real(1.0) - taken, Real(0.0));
   return s;
@@ -60,7 +65,7 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
 /// whole lobe has beyond its mean direction in proportion to the share: exact for a small light,
 /// w(wi), and for one that fills the hemisphere, n5/n1.
 FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
-  Real weight = schlick_weight_between(s.wo, wi) + share * s.axis_weight;
+  Real weight = fresnel_weight(s.wo, wi) + share * s.axis_weight;
   Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, Real(0.0)), Real(1.0));
   // A part of the hemisphere reflects no more than the whole, s.specular.
   Vec3 part = fresnel * (s.fitted.n1 * share);
@@ -91,7 +96,7 @@ FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
 /// The same of a light of no width, whose integral is per metre of it and has no upper bound.
 FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
   Vec3 fresnel =
-      s.f0 + (s.f90 - s.f0) * schlick_weight_between(s.wo, integral.specular_direction);
+      s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, integral.specular_direction);
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   shaded.specular = fresnel * (s.fitted.n1 * s.inv_share * integral.specular);
@@ -119,7 +124,7 @@ FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
 FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
   // Clipped to the surface's horizon like the polygon integral.
   Real density = select(wi_shading.z > Real(0.0), eval_lobe(s.fitted.lobe, wi_shading), Real(0.0));
-  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * schlick_weight_between(s.wo, wi_shading);
+  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, wi_shading);
   return s.diffuse * eval_lambert(wi_shading) + fresnel * (s.fitted.n1 * s.inv_share * density);
 }
 

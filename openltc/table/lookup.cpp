@@ -79,9 +79,8 @@ f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double
 
 f64::FittedLobe fetch_native(const LobeTable& table, double roughness, double cos_theta) {
   const double r = std::clamp(roughness, 0.0, 1.0), c = std::clamp(cos_theta, 0.0, 1.0);
-  const Vec2d uv{f64::table_coordinate(r, table.columns),
-                 f64::table_coordinate(angle_coordinate(table.angle_axis, c), table.rows)};
-  const f64::LobeTexel texel = f64::lobe_table_texel(table.view(), uv);
+  const f64::LobeTexel texel =
+      f64::lobe_table_texel(table.view(), {r, angle_coordinate(table.angle_axis, c)});
   f64::FittedLobe fitted;
   fitted.lobe = f64::lobe_from_mirror(texel.coefficients, factored_width(table.width, r), c);
   fitted.n1 = texel.amplitudes.x;
@@ -96,9 +95,8 @@ LobeTable interpolate(const LobeTable& table, int columns, std::span<const doubl
   result.texels.assign(std::size_t(columns) * from.size() * LobeTable::k_channels, 0.0f);
   for (int row = 0; row < result.rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const Vec2d uv{f64::table_coordinate(node_roughness(columns, column), table.columns),
-                     f64::table_coordinate(from[std::size_t(row)], table.rows)};
-      const auto [m, n] = f64::lobe_table_texel(table.view(), uv);
+      const Vec2d at{node_roughness(columns, column), from[std::size_t(row)]};
+      const auto [m, n] = f64::lobe_table_texel(table.view(), at);
       const double channels[6] = {m.x, m.y, m.z, m.w, n.x, n.y};
       for (int k = 0; k < 6; ++k)
         result.texel(column, row)[k] = float(channels[k]);

@@ -319,22 +319,3 @@ TEST_CASE("thousands_of_corners_are_packed_in_reasonable_time") {
   CHECK(packed.triangle_cdf.size() < std::size_t(3 * 2 * points));
   CHECK(seconds < 5);
 }
-
-TEST_CASE("an outline is convex that no line cuts more than twice") {
-  const auto is_convex = [](const std::vector<Ring>& rings) {
-    return pack_polygon(make_light(rings)).view.convex;
-  };
-  CHECK(is_convex({box(0, 0, 2, 1)}));
-  CHECK(is_convex({{{0, 0}, {1, 0}, {0, 1}}}));
-  CHECK(is_convex({star(20, 0.995, 1)}));                       // nearly a circle
-  CHECK(is_convex({{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}})); // a corner on a side
-  CHECK_FALSE(is_convex({star(5, 0.4, 1)}));
-  CHECK_FALSE(is_convex({{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}}));
-  CHECK_FALSE(is_convex({box(0, 0, 4, 4), reversed(box(1, 1, 2, 2))}));
-  // Turns left all the way, but twice around.
-  Ring pentagram;
-  for (int i = 0; i < 5; ++i)
-    pentagram.push_back(
-        {std::cos(i * 0.8 * std::numbers::pi), std::sin(i * 0.8 * std::numbers::pi)});
-  CHECK_FALSE(is_convex({pentagram}));
-}

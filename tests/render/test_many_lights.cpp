@@ -109,7 +109,7 @@ f64::Vec3 far_reflected(const f64::Surface& s, const render::FarLight& far, bool
                        std::max(-dot(d, wide(far.moment[2])), 0.0));
   f64::Vec3 brdf = s.diffuse * f64::eval_lambert(wi);
   if (specular && wi.z > 0)
-    brdf += (s.f0 + (s.f90 - s.f0) * f64::schlick_weight_between(s.wo, wi)) *
+    brdf += (s.f0 + (s.f90 - s.f0) * f64::fresnel_weight(s.wo, wi)) *
             (s.fitted.n1 * s.inv_share * f64::eval_lobe(s.fitted.lobe, wi));
   return brdf * flux * (1 / (r2 * std::sqrt(r2)));
 }

@@ -77,6 +77,22 @@ const char* complaint(LightShape shape, const LightAnswers& a, int i) {
   return nullptr;
 }
 
+/// What a target makes of a batch: its integrals, and its light as a renderer asks for it.
+struct Evaluated {
+  LightAnswers integrals, rendered;
+
+  Evaluated(const LightTarget& target, const LightBatch& batch) {
+    const LobeTableView table = table::builtin_ggx_table().view();
+    target.evaluate(batch, table, &integrals);
+    rendered = integrals;
+    target.shade(batch, table, rendered.shaded);
+  }
+  const char* complaint_of(LightShape shape, int i) const {
+    const char* what = complaint(shape, integrals, i);
+    return what ? what : complaint(shape, rendered, i);
+  }
+};
+
 void print_lane(const LightCase& light, const LightAnswers& a, int i, const char* what) {
   std::printf("  lane %d: %s\n", i, what ? what : "fine");
   const auto put = [](const char* name, Vec3f v) {
@@ -107,12 +123,11 @@ int replay(LightShape shape, std::uint64_t seed) {
   const LightBatch batch = make_batch(lights);
   int wrong = 0;
   for (const LightTarget& target : testing::light_targets()) {
-    LightAnswers answers;
-    target.evaluate(batch, table::builtin_ggx_table().view(), &answers);
+    const Evaluated evaluated(target, batch);
     std::printf("%s\n", target.name);
     for (int i = 0; i < k_batch; ++i) {
-      const char* what = complaint(shape, answers, i);
-      if (what) print_lane(lights[std::size_t(i)], answers, i, what);
+      const char* what = evaluated.complaint_of(shape, i);
+      if (what) print_lane(lights[std::size_t(i)], evaluated.rendered, i, what);
       wrong += what != nullptr;
     }
   }
@@ -128,13 +143,11 @@ struct Tally {
 void run_batch(LightShape shape, std::uint64_t seed, std::vector<Tally>& tallies) {
   const std::vector<LightCase> lights = make_lights(shape, seed);
   const LightBatch batch = make_batch(lights);
-  const LobeTableView table = table::builtin_ggx_table().view();
   const std::vector<LightTarget>& targets = testing::light_targets();
   for (std::size_t t = 0; t < targets.size(); ++t) {
-    LightAnswers answers;
-    targets[t].evaluate(batch, table, &answers);
+    const Evaluated evaluated(targets[t], batch);
     for (int i = 0; i < k_batch; ++i) {
-      if (!complaint(shape, answers, i)) continue;
+      if (!evaluated.complaint_of(shape, i)) continue;
       ++tallies[t].violations;
       std::uint64_t first = tallies[t].first;
       while (seed < first && !tallies[t].first.compare_exchange_weak(first, seed)) {

@@ -47,10 +47,19 @@ struct LightAnswers {
 
 using EvaluateLights = void (*)(const LightBatch& batch, const LobeTableView& table,
                                 LightAnswers* answers);
+/// Their light alone, RGB, as a renderer shades them.
+using ShadeLights = void (*)(const LightBatch& batch, const LobeTableView& table,
+                             float (*shaded)[k_batch]);
+
 void evaluate_lights_scalar(const LightBatch&, const LobeTableView&, LightAnswers*);
 void evaluate_lights_baseline(const LightBatch&, const LobeTableView&, LightAnswers*);
 void evaluate_lights_sse4(const LightBatch&, const LobeTableView&, LightAnswers*);
 void evaluate_lights_avx2(const LightBatch&, const LobeTableView&, LightAnswers*);
 void evaluate_lights_avx512(const LightBatch&, const LobeTableView&, LightAnswers*);
+void shade_lights_scalar(const LightBatch&, const LobeTableView&, float (*shaded)[k_batch]);
+void shade_lights_baseline(const LightBatch&, const LobeTableView&, float (*shaded)[k_batch]);
+void shade_lights_sse4(const LightBatch&, const LobeTableView&, float (*shaded)[k_batch]);
+void shade_lights_avx2(const LightBatch&, const LobeTableView&, float (*shaded)[k_batch]);
+void shade_lights_avx512(const LightBatch&, const LobeTableView&, float (*shaded)[k_batch]);
 
 } // namespace openltc::testing

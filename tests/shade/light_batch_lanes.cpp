@@ -33,5 +33,10 @@ void OPENLTC_PASTE(evaluate_lights_, OPENLTC_ISA)(const LightBatch& batch,
   OPENLTC_LANES_NAMESPACE::evaluate_batch(batch, table, answers);
 }
 
+void OPENLTC_PASTE(shade_lights_, OPENLTC_ISA)(const LightBatch& batch, const LobeTableView& table,
+                                               float (*shaded)[k_batch]) {
+  OPENLTC_LANES_NAMESPACE::shade_batch(batch, table, shaded);
+}
+
 } // namespace testing
 } // namespace openltc

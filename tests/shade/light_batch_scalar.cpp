@@ -25,5 +25,10 @@ void evaluate_lights_scalar(const LightBatch& batch, const LobeTableView& table,
   light_batch_scalar::evaluate_batch(batch, table, answers);
 }
 
+void shade_lights_scalar(const LightBatch& batch, const LobeTableView& table,
+                         float (*shaded)[k_batch]) {
+  light_batch_scalar::shade_batch(batch, table, shaded);
+}
+
 } // namespace testing
 } // namespace openltc

@@ -9,7 +9,9 @@
 #include <cmath>
 
 namespace openltc::f64 {
+#define FN inline
 #include "light_batch_body.inc"
+#undef FN
 }
 
 namespace openltc::testing {

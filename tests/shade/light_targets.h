@@ -14,6 +14,7 @@ namespace openltc::testing {
 struct LightTarget {
   const char* name; ///< scalar, sse4, avx2, avx512, baseline
   EvaluateLights evaluate;
+  ShadeLights shade;
 };
 
 /// Scalar first.

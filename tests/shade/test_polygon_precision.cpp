@@ -90,10 +90,12 @@ TEST_CASE("single precision follows double") {
 // The sums before they are clamped, which would hide a NaN.
 static bool sums_are_finite(const PolygonView& polygon, Vec3f position, const f32::Frame& frame,
                             const f32::Lobe& lobe) {
-  for (const float s : {-1.0f, 1.0f}) {
-    const f32::EdgeSums sums = f32::sum_edges(polygon, position, frame, lobe, s);
-    const f32::EdgeSums convex = f32::sum_convex_edges(polygon, position, frame, lobe, s).sums;
-    for (const Vec3f& v : {sums.diffuse, sums.specular, convex.diffuse, convex.specular})
+  for (const float h : {-1.0f, 1.0f}) {
+    const f32::EdgeSums sums = f32::sum_edges(polygon, position, frame, lobe, h);
+    const f32::EdgeSums quad = polygon.point_count == 5
+                                   ? f32::sum_quad_edges(polygon, position, frame, lobe, h)
+                                   : sums;
+    for (const Vec3f& v : {sums.diffuse, sums.specular, quad.diffuse, quad.specular})
       if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
   }
   return true;
