@@ -42,7 +42,7 @@ constexpr std::uint32_t k_purpose_pixel = 0;
 constexpr int k_min_lights_to_choose = 6;
 // Costs in terms of shading one point by one light without shadow: bounding a node of the light
 // tree for a range of points, shading by a far group, shading with shadow rays.
-constexpr double k_choosing_cost = 12, k_far_cost = 0.2, k_traced_cost = 20;
+constexpr double k_choosing_cost = 18, k_far_cost = 0.3, k_traced_cost = 20;
 constexpr double k_wide = 1; // points so far apart, or so turned, are split at once
 // Lights of a range of points that have shadow rays of their own; dimmer ones share a ratio.
 constexpr std::size_t k_most_traced = 16;
