@@ -259,6 +259,16 @@ struct LightPoint {
   Real solid_angle;  // 1 / the density per solid angle with which the light's sampling draws it
 };
 
+FN LightPoint select_point(Mask m, LightPoint a, LightPoint b) {
+  LightPoint point;
+  point.hit = (m && a.hit) || (!m && b.hit);
+  point.direction = select(m, a.direction, b.direction);
+  point.distance = select(m, a.distance, b.distance);
+  point.cos_light = select(m, a.cos_light, b.cos_light);
+  point.solid_angle = select(m, a.solid_angle, b.solid_angle);
+  return point;
+}
+
 /// Solid angle of an area, turned by the cosine, at a distance: 1 / density per solid angle of
 /// points that are evenly distributed over it.
 FN Real solid_angle_of_area(Real area, Real cos_light, Real distance2) {

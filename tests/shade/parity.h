@@ -11,7 +11,7 @@
 namespace openltc::testing {
 
 constexpr int k_parity_inputs = 30;
-constexpr int k_parity_max_outputs = 256;
+constexpr int k_parity_max_outputs = 384;
 
 /// What the dialect looks up.
 struct ParityResources {

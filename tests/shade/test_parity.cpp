@@ -250,7 +250,12 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"polygon_point_towards", 1e-3},
       // rays that graze the light's plane
       {"intersect_polygon", 1e-3},
-      {"intersect_ellipse", 5e-3}};
+      {"intersect_ellipse", 5e-3},
+      {"intersect_seen_ellipse", 5e-3},
+      {"intersect_seen_tube", 1e-5},
+      {"sample_seen_ellipse", 1e-5},
+      // drawn on a rim that the ray just touches
+      {"sample_seen_tube", 5e-2}};
   for (const auto& entry : result.worst) {
     const std::string& name = entry.first;
     const double worst = entry.second;
@@ -286,8 +291,11 @@ TEST_CASE("float follows double in every function") {
     const double worst = entry.second;
     CAPTURE(name);
     // Rays that graze the light's plane meet it far away.
-    const bool grazes = name == "intersect_ellipse" || name == "intersect_tube";
-    CHECK(worst < (grazes ? 2e-2 : 2e-4));
+    const bool grazes = name == "intersect_ellipse" || name == "intersect_seen_ellipse" ||
+                        name == "intersect_tube";
+    // Drawn on a rim that the ray just touches.
+    const bool touches = name == "sample_seen_tube";
+    CHECK(worst < (touches ? 5e-2 : grazes ? 2e-2 : 2e-4));
   }
   CHECK(result.flipped <= 20);
 }

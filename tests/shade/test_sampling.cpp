@@ -211,3 +211,164 @@ TEST_CASE("the solid angle of a triangle: an octant, additive, small ones are ar
           doctest::Approx(0.5e-12 * std::abs(dot(a, cross(ab, ac)))).epsilon(1e-4));
   }
 }
+
+TEST_CASE("ellipses are sampled by solid angle: their density, and how even it is") {
+  Random random(58);
+  constexpr int rings = 8, parts = 16, count = 100000, fine = 16;
+  double farthest = 1;
+  int tested = 0;
+  for (int i = 0; i < 24; ++i) {
+    // Disks and ellipses from far to near.
+    const f64::Frame frame = f64::shading_frame(random.sphere(), random.sphere());
+    const Vec3d center = random.sphere() * (i < 6 ? 0.5 : 1.0);
+    const double size = random.log_uniform(0.1, 2);
+    const f64::Ellipse ellipse{center, frame.t1 * size,
+                               frame.t2 * (size * (i % 2 == 0 ? 1.0 : random.uniform(0.2, 1))), 1};
+    const f64::SeenEllipse seen = f64::ellipse_seen(ellipse, Vec3d(0, 0, 0));
+    if (!seen.known) continue;
+    // Cells even in the ellipse's own area, each the share that the density gives it.
+    const double area = f64::k_pi * length(ellipse.half_u) * length(ellipse.half_v);
+    std::vector<double> expected(rings * parts), observed(rings * parts);
+    double solid_angle = 0;
+    for (int r = 0; r < rings * fine; ++r)
+      for (int k = 0; k < parts * fine; ++k) {
+        const double radius = std::sqrt((r + 0.5) / (rings * fine));
+        const double phi = 2 * f64::k_pi * (k + 0.5) / (parts * fine);
+        const Vec3d to = center + ellipse.half_u * (radius * std::cos(phi)) +
+                         ellipse.half_v * (radius * std::sin(phi));
+        const f64::LightPoint point =
+            f64::intersect_seen_ellipse(ellipse, seen, Vec3d(0, 0, 0), normalize(to));
+        const double cell = area / (rings * parts * fine * fine) * point.cos_light / dot(to, to);
+        solid_angle += cell;
+        expected[std::size_t(r / fine * parts + k / fine)] += count * cell / point.solid_angle;
+      }
+    double mean = 0;
+    for (int k = 0; k < count; ++k) {
+      const f64::LightPoint point =
+          f64::sample_seen_ellipse(ellipse, seen, Vec3d(0, 0, 0), random.square());
+      REQUIRE(point.hit);
+      mean += point.solid_angle / count;
+      farthest = std::max({farthest, point.solid_angle / solid_angle, solid_angle / point.solid_angle});
+      const Vec3d at = point.direction * point.distance - center;
+      const double x = dot(at, ellipse.half_u) / dot(ellipse.half_u, ellipse.half_u);
+      const double y = dot(at, ellipse.half_v) / dot(ellipse.half_v, ellipse.half_v);
+      const double phi = std::atan2(y, x) / (2 * f64::k_pi);
+      const int ring = std::clamp(int((x * x + y * y) * rings), 0, rings - 1);
+      const int part = std::clamp(int((phi < 0 ? phi + 1 : phi) * parts), 0, parts - 1);
+      observed[std::size_t(ring * parts + part)] += 1;
+    }
+    double x = 0;
+    int degrees = -1;
+    for (std::size_t bin = 0; bin < expected.size(); ++bin) {
+      if (expected[bin] < 10) continue;
+      const double d = observed[bin] - expected[bin];
+      x += d * d / expected[bin];
+      ++degrees;
+    }
+    CAPTURE(i);
+    CAPTURE(solid_angle);
+    CHECK(mean == doctest::Approx(solid_angle).epsilon(2e-3));
+    CHECK(chi_square_p(x, degrees) > k_level);
+    ++tested;
+  }
+  MESSAGE("density over that of even samples: within a factor of ", farthest);
+  CHECK(farthest < 1.05);
+  CHECK(tested > 15);
+}
+
+// What a tube shows at a place of its surface: a cell of its side, or of an end.
+struct TubeCell {
+  Vec3d to;
+  double projected; // area times cosine, 0 where it faces away
+};
+
+TEST_CASE("tubes are sampled by solid angle: their density, and how even it is") {
+  Random random(59);
+  constexpr int count = 100000, rows = 16, columns = 16, fine = 16;
+  double farthest = 1;
+  int tested = 0;
+  for (int i = 0; i < 30; ++i) {
+    const double caps = i % 3;
+    const Vec3d axis = random.sphere();
+    const double length_ = random.log_uniform(0.2, 4), radius = random.log_uniform(0.03, 0.4);
+    const f64::Frame frame = f64::shading_frame(axis, random.sphere());
+    // From the side, and from beyond an end.
+    const double off = radius * random.log_uniform(i % 5 == 4 ? 0.2 : 1.3, 8);
+    const double along = i % 2 == 0 ? random.uniform(-0.3, 1.3) : random.uniform(1.2, 2) + radius;
+    const Vec3d from = frame.t1 * off - axis * (along * length_ + (i % 2 == 0 ? 0 : radius));
+    const f64::Tube tube{from, from + axis * length_, radius, caps};
+    if (f64::inside_tube(tube, Vec3d(0, 0, 0))) continue;
+    const f64::SeenTube seen = f64::tube_seen(tube, Vec3d(0, 0, 0));
+    if (!seen.known) continue;
+
+    // Rows along the tube, the first and last of them its ends.
+    const auto cell_at = [&](double row, double column) {
+      const double phi = 2 * f64::k_pi * column / columns;
+      const Vec3d around = frame.t1 * std::cos(phi) + frame.t2 * std::sin(phi);
+      Vec3d normal = around, to;
+      double area;
+      if (row >= 1 && row < rows - 1) {
+        to = from + axis * (length_ * (row - 1) / (rows - 2)) + around * radius;
+        area = 2 * f64::k_pi * radius * length_ / ((rows - 2) * columns);
+      } else {
+        const double h = row < 1 ? row : row - (rows - 1); // even in area either way
+        const Vec3d outwards = row < 1 ? axis * -1.0 : axis;
+        const Vec3d end = row < 1 ? from : from + axis * length_;
+        const double ring = caps > 1.5 ? std::sqrt(1 - h * h) : std::sqrt(h);
+        normal = caps > 1.5 ? around * ring + outwards * h : outwards;
+        to = end + around * (ring * radius) + (caps > 1.5 ? outwards * (h * radius) : Vec3d(0.0));
+        area = caps * f64::k_pi * radius * radius / columns;
+      }
+      return TubeCell{to, area * std::max(-dot(normal, normalize(to)), 0.0)};
+    };
+    std::vector<double> expected(rows * columns), observed(rows * columns);
+    double solid_angle = 0;
+    for (int r = 0; r < rows * fine; ++r)
+      for (int c = 0; c < columns * fine; ++c) {
+        const TubeCell cell = cell_at((r + 0.5) / fine, (c + 0.5) / fine);
+        if (cell.projected <= 0) continue;
+        const double angle = cell.projected / (dot(cell.to, cell.to) * fine * fine);
+        const f64::LightPoint point =
+            f64::intersect_seen_tube(tube, seen, Vec3d(0, 0, 0), normalize(cell.to));
+        solid_angle += angle;
+        expected[std::size_t(r / fine * columns + c / fine)] += count * angle / point.solid_angle;
+      }
+    double mean = 0;
+    for (int k = 0; k < count; ++k) {
+      const f64::LightPoint point =
+          f64::sample_seen_tube(tube, seen, Vec3d(0, 0, 0), random.square());
+      REQUIRE(point.hit);
+      mean += point.solid_angle / count;
+      farthest = std::max({farthest, point.solid_angle / solid_angle, solid_angle / point.solid_angle});
+      const Vec3d at = point.direction * point.distance - from;
+      const double z = dot(at, axis), x = dot(at, frame.t1), y = dot(at, frame.t2);
+      const double phi = std::atan2(y, x) / (2 * f64::k_pi);
+      double row = 1 + z / length_ * (rows - 2);
+      const double beyond = z < length_ / 2 ? -z : z - length_, rest2 = (x * x + y * y) / (radius * radius);
+      if (beyond > 1e-9 || (caps == 1 && beyond > -1e-9 && rest2 < 1 - 1e-9)) {
+        const double h = caps > 1.5 ? beyond / radius : rest2;
+        row = z < length_ / 2 ? std::min(h, 0.9999) : rows - 1 + h;
+      }
+      const int r = std::clamp(int(row), 0, rows - 1);
+      const int c = std::clamp(int((phi < 0 ? phi + 1 : phi) * columns), 0, columns - 1);
+      observed[std::size_t(r * columns + c)] += 1;
+    }
+    double x = 0;
+    int degrees = -1;
+    for (std::size_t bin = 0; bin < expected.size(); ++bin) {
+      if (expected[bin] < 10) continue;
+      const double d = observed[bin] - expected[bin];
+      x += d * d / expected[bin];
+      ++degrees;
+    }
+    CAPTURE(i);
+    CAPTURE(caps);
+    CAPTURE(solid_angle);
+    CHECK(mean == doctest::Approx(solid_angle).epsilon(4e-3));
+    CHECK(chi_square_p(x, degrees) > k_level);
+    ++tested;
+  }
+  MESSAGE("density over that of even samples: within a factor of ", farthest);
+  CHECK(farthest < 5);
+  CHECK(tested > 15);
+}
