@@ -90,6 +90,19 @@ double p_value(Vec3d axis, double width, Sample sample, Pdf pdf, bool loses_belo
   return chi_square_p(x, degrees);
 }
 
+// The same for counts in bins; those that expect fewer than 10 say nothing.
+double p_of_counts(const std::vector<double>& expected, const std::vector<double>& observed) {
+  double x = 0;
+  int degrees = -1;
+  for (std::size_t bin = 0; bin < expected.size(); ++bin) {
+    if (expected[bin] < 10) continue;
+    const double d = observed[bin] - expected[bin];
+    x += d * d / expected[bin];
+    ++degrees;
+  }
+  return chi_square_p(x, degrees);
+}
+
 // Thirty-odd tests at this level: a right sampler fails one of them once in 300 seeds, and the
 // seeds are fixed. A wrong one gives 1e-20 and less.
 constexpr double k_level = 1e-4;
@@ -178,17 +191,9 @@ TEST_CASE("triangles are sampled evenly over their solid angle") {
       const auto bin = std::size_t(2 * (yi * rows + zi) + (y - yi + z - zi > 1 ? 1 : 0));
       observed[bin] += 1;
     }
-    double x = 0;
-    int degrees = -1;
-    for (std::size_t bin = 0; bin < expected.size(); ++bin) {
-      if (expected[bin] < 10) continue;
-      const double d = observed[bin] - expected[bin];
-      x += d * d / expected[bin];
-      ++degrees;
-    }
     CAPTURE(i);
     CAPTURE(whole.solid_angle);
-    CHECK(chi_square_p(x, degrees) > k_level);
+    CHECK(p_of_counts(expected, observed) > k_level);
     ++tested;
   }
   CHECK(tested > 10);
@@ -257,18 +262,10 @@ TEST_CASE("ellipses are sampled by solid angle: their density, and how even it i
       const int part = std::clamp(int((phi < 0 ? phi + 1 : phi) * parts), 0, parts - 1);
       observed[std::size_t(ring * parts + part)] += 1;
     }
-    double x = 0;
-    int degrees = -1;
-    for (std::size_t bin = 0; bin < expected.size(); ++bin) {
-      if (expected[bin] < 10) continue;
-      const double d = observed[bin] - expected[bin];
-      x += d * d / expected[bin];
-      ++degrees;
-    }
     CAPTURE(i);
     CAPTURE(solid_angle);
     CHECK(mean == doctest::Approx(solid_angle).epsilon(2e-3));
-    CHECK(chi_square_p(x, degrees) > k_level);
+    CHECK(p_of_counts(expected, observed) > k_level);
     ++tested;
   }
   MESSAGE("density over that of even samples: within a factor of ", farthest);
@@ -353,19 +350,11 @@ TEST_CASE("tubes are sampled by solid angle: their density, and how even it is")
       const int c = std::clamp(int((phi < 0 ? phi + 1 : phi) * columns), 0, columns - 1);
       observed[std::size_t(r * columns + c)] += 1;
     }
-    double x = 0;
-    int degrees = -1;
-    for (std::size_t bin = 0; bin < expected.size(); ++bin) {
-      if (expected[bin] < 10) continue;
-      const double d = observed[bin] - expected[bin];
-      x += d * d / expected[bin];
-      ++degrees;
-    }
     CAPTURE(i);
     CAPTURE(caps);
     CAPTURE(solid_angle);
     CHECK(mean == doctest::Approx(solid_angle).epsilon(4e-3));
-    CHECK(chi_square_p(x, degrees) > k_level);
+    CHECK(p_of_counts(expected, observed) > k_level);
     ++tested;
   }
   MESSAGE("density over that of even samples: within a factor of ", farthest);
