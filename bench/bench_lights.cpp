@@ -64,18 +64,16 @@ Work random_work(LightShape shape) {
   return work;
 }
 
-/// What a camera sees of a room with a lamp under its ceiling: sixteen pixels side by side, of one
-/// material, as a renderer shades them. Some are cut, by either horizon.
-Work room_work() {
+/// What a camera sees of a room with one lamp: sixteen pixels side by side, of one material, as a
+/// renderer shades them. The picture has 1280 pixels in 80 degrees; rows between two heights in pixels
+/// from its middle.
+Work room_work(const std::shared_ptr<const testing::TestPolygon>& lamp, double lowest,
+               double highest) {
   Work work;
   Random random(33);
-  const auto lamp = std::make_shared<const testing::TestPolygon>(
-      std::vector<testing::Ring>{testing::rectangle(1.2, 1.2)}, Vec3d(0, 0, 2.8), Vec3d(0, 1, 0),
-      Vec3d(1, 0, 0));
   const Vec3d camera(0.3, -2.9, 1.5), half(3, 3, 1.5), centre(0, 0, 1.5);
   for (int b = 0; b < k_batches; ++b) {
-    // 1280 pixels in 80 degrees.
-    const double column = random.uniform(-640, 640), row = random.uniform(-360, 360);
+    const double column = random.uniform(-640, 640), row = random.uniform(lowest, highest);
     const float roughness = float(random.uniform());
     std::vector<LightCase> sixteen(k_batch);
     for (int i = 0; i < k_batch; ++i) {
@@ -104,7 +102,24 @@ Work room_work() {
   return work;
 }
 
-/// A floor's points under a quad: a ceiling lamp, or a wall that the floor's horizon cuts.
+/// A lamp under the ceiling. Some points are cut, by either horizon; a fifth is behind it.
+Work ceiling_lamp() {
+  return room_work(std::make_shared<const testing::TestPolygon>(
+                       std::vector<testing::Ring>{testing::rectangle(1.2, 1.2)}, Vec3d(0, 0, 2.8),
+                       Vec3d(0, 1, 0), Vec3d(1, 0, 0)),
+                   -360, 360);
+}
+
+/// The floor before a lamp in the far wall that reaches below it: its horizon cuts at every point.
+Work wall_lamp() {
+  return room_work(std::make_shared<const testing::TestPolygon>(
+                       std::vector<testing::Ring>{testing::rectangle(2, 2)}, Vec3d(0, 2.9, 0.5),
+                       Vec3d(1, 0, 0), Vec3d(0, 0, 1)),
+                   -360, -230);
+}
+
+/// A floor's points under a quad, each seen from elsewhere: a ceiling lamp, or a wall that the floor's
+/// horizon cuts.
 Work quad_work(bool cut) {
   Work work;
   Random random(32);
@@ -241,12 +256,13 @@ int main(int argc, char** argv) {
   std::vector<Work> shapes;
   for (int k = 0; k < testing::k_light_shapes; ++k)
     shapes.push_back(random_work(testing::shape_of_index(k)));
-  const Work quads[] = {quad_work(false), room_work(), quad_work(true)};
-  const char* const quad_names[] = {"quad_above", "quad_room", "quad_cut"};
+  const Work quads[] = {quad_work(false), ceiling_lamp(), wall_lamp(), quad_work(true)};
+  const char* const quad_names[] = {"quad_above", "quad_room", "quad_floor", "quad_cut"};
+  constexpr int k_quads = 4;
 
   for (const LightTarget& target : testing::light_targets()) {
     const std::string suffix = std::string("/") + target.name;
-    for (int q = 0; q < 3; ++q)
+    for (int q = 0; q < k_quads; ++q)
       benchmark::RegisterBenchmark((quad_names[q] + suffix).c_str(), run_target,
                                    std::cref(quads[q]), target.shade);
     for (int k = 0; k < testing::k_light_shapes; ++k)
@@ -257,14 +273,14 @@ int main(int argc, char** argv) {
       if (p.name == std::string(target.name))
         benchmark::RegisterBenchmark((std::string("peak") + suffix).c_str(), run_peak, p.peak);
   }
-  for (int q = 0; q < 3; ++q)
+  for (int q = 0; q < k_quads; ++q)
     benchmark::RegisterBenchmark((quad_names[q] + std::string("/usual")).c_str(), run_usual,
                                  std::cref(quads[q]));
   benchmark::Initialize(&argc, argv);
   Keeper keeper;
   benchmark::RunSpecifiedBenchmarks(&keeper);
 
-  for (int q = 0; q < 3; ++q) {
+  for (int q = 0; q < k_quads; ++q) {
     const std::string name = quad_names[q];
     const double usual = keeper.value(name + "/usual ns/eval");
     if (usual <= 0) continue;

@@ -141,30 +141,57 @@ FN ClippedEdge clip_edge(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
   return edge;
 }
 
-/// One edge of an outline, clipped to the half space z >= 0 and closed along its plane towards the
-/// apex where it was cut: the diffuse part, which has one horizon.
-FN Vec3 edge_term_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
-  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  Vec3 d = b - a;
+/// Angle of a unit vector (c, s) from (1, 0), -pi..pi.
+FN Real angle_of_unit(Real c, Real s) {
+  Real acute = s * acute_over_sin(c);
+  Real half_turn = select(s < Real(0.0), -Real(k_pi), Real(k_pi));
+  return select(c < Real(0.0), half_turn - acute, acute);
+}
+
+/// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
+/// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
+/// counts as it is.
+struct EdgeAbove {
+  Vec3 term;
+  Real turn_cos;
+  Real turn_sin;
+};
+
+FN EdgeAbove edge_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
   Mask a_up = a.z >= Real(0.0);
   Mask b_up = b.z >= Real(0.0);
-  // Uniform shortcuts: no lane needs to clip, or none has anything left.
-  if (all_lanes(a_up && b_up)) {
-    return edge_term_scaled(a, b, d, inv_a, inv_b);
-  }
-  if (!any_lane(a_up || b_up)) {
-    return none;
-  }
-  // q is where the edge was cut, which closes the outline by the angle from there to the apex.
+  Vec3 d = b - a;
   Real t = abs(a.z) * reciprocal(max(abs(a.z) + abs(b.z), Real(k_tiny)));
   Vec3 q = Vec3(a.x + d.x * t, a.y + d.y * t, Real(0.0));
   Real inv_q = inverse_length(q);
   Real extent = select(a_up, select(b_up, Real(1.0), t), Real(1.0) - t);
-  Vec3 sum = edge_term_scaled(select(a_up, a, q), select(b_up, b, q), d * extent,
-                              select(a_up, inv_a, inv_q), select(b_up, inv_b, inv_q));
-  Real leaves = select(a_up, select(b_up, Real(0.0), Real(1.0)), Real(-1.0));
-  sum.z = sum.z + leaves * apex_term(q, inv_q, s).z;
-  return select(a_up || b_up, sum, none);
+  EdgeAbove edge;
+  edge.term = edge_term_scaled(select(a_up, a, q), select(b_up, b, q), d * extent,
+                               select(a_up, inv_a, inv_q), select(b_up, inv_b, inv_q));
+  edge.term = select(a_up || b_up, edge.term, Vec3(Real(0.0), Real(0.0), Real(0.0)));
+  Mask leaves = a_up && !b_up;
+  Mask enters = b_up && !a_up;
+  Real inv_s = inv_q * s;
+  Real x = q.x * inv_s;
+  edge.turn_cos = select(leaves || enters, q.y * inv_s, Real(1.0));
+  edge.turn_sin = select(leaves, x, select(enters, -x, Real(0.0)));
+  return edge;
+}
+
+/// The same with the turn added: the diffuse part of an edge.
+FN Vec3 edge_term_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
+  Mask a_up = a.z >= Real(0.0);
+  Mask b_up = b.z >= Real(0.0);
+  // Uniform shortcuts: no lane needs to clip, or none has anything left.
+  if (all_lanes(a_up && b_up)) {
+    return edge_term_scaled(a, b, b - a, inv_a, inv_b);
+  }
+  if (!any_lane(a_up || b_up)) {
+    return Vec3(Real(0.0), Real(0.0), Real(0.0));
+  }
+  EdgeAbove edge = edge_above(a, b, s, inv_a, inv_b);
+  edge.term.z = edge.term.z + angle_of_unit(edge.turn_cos, edge.turn_sin);
+  return edge.term;
 }
 
 /// One edge of an outline, clipped to the wedge and closed towards the apex where it was cut. An
@@ -221,11 +248,11 @@ FN Vec3 closed_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
 }
 
 /// Whether a point lies in a light's plane as far as can be told: h, its distance, is no more than
-/// `error`, to which the point is known, or than what rounding makes of 0. Such a point has no side,
-/// and gets no light. `to_origin` leads from the point to any point of the plane.
-FN Mask lies_in_plane(Real h, Vec3 to_origin, Real error) {
-  return h * h <= max(error * error, Real(k_plane_rounding * k_plane_rounding) *
-                                         dot(to_origin, to_origin));
+/// that to which the point is known, whose square is `error2`, or than what rounding makes of 0. Such a
+/// point has no side, and gets no light. `to_origin` leads from the point to any point of the plane.
+FN Mask lies_in_plane(Real h, Vec3 to_origin, Real error2) {
+  return h * h <= max(error2, Real(k_plane_rounding * k_plane_rounding) *
+                                  dot(to_origin, to_origin));
 }
 
 /// What shading wants to know of a light of radiance 1, whatever its shape, without shadow.
@@ -246,7 +273,7 @@ FN LightIntegral light_integral(Vec3 diffuse, Vec3 specular, Lobe lobe) {
   result.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
   result.specular = min(max(specular.z * k_half_inv_pi, Real(0.0)), Real(1.0));
   result.diffuse_direction = safe_direction(diffuse);
-  result.specular_direction = safe_direction(from_cosine(lobe, safe_direction(specular)));
+  result.specular_direction = safe_direction(from_cosine(lobe, specular));
   return result;
 }
 

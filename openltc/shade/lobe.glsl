@@ -101,7 +101,9 @@ FN Real share_above_horizon(Lobe lobe) {
 /// Mean direction of the part of the lobe above the horizon, shading space, not normalised: (z + m)
 /// / 2, the whole vector of that edge sum, carried back by M.
 FN Vec3 mean_above_horizon(Lobe lobe) {
-  return from_cosine(lobe, horizon_normal_cosine(lobe) + Vec3(Real(0.0), Real(0.0), Real(1.0)));
+  Vec3 m = horizon_normal_cosine(lobe);
+  Real z = m.z + Real(1.0);
+  return Vec3(lobe.m22 * m.x - lobe.m02 * z, Real(0.0), lobe.m00 * z - lobe.m20 * m.x);
 }
 
 /// Density D(w) per solid angle, 1 over the whole sphere; the lobe may reach below the horizon.

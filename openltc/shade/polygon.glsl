@@ -87,6 +87,74 @@ FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Re
   return sums;
 }
 
+/// The point where an edge crosses the surface's horizon.
+FN Corner horizon_corner(Corner a, Corner b, Lobe lobe) {
+  Real t = abs(a.p.z) * reciprocal(max(abs(a.p.z) + abs(b.p.z), Real(k_tiny)));
+  Corner cut;
+  cut.p = Vec3(a.p.x + (b.p.x - a.p.x) * t, a.p.y + (b.p.y - a.p.y) * t, Real(0.0));
+  cut.o = to_cosine(lobe, cut.p);
+  cut.inv_p = inverse_length(cut.p);
+  cut.inv_o = inverse_length(cut.o);
+  return cut;
+}
+
+/// sum_edges for four corners, each above the surface's horizon in all lanes or below it in all: the
+/// outline is clipped as scalar code would, once for both integrals, and closed by a whole edge. In
+/// cosine space lanes differ: there each edge is clipped by itself, and the turns that close them
+/// are multiplied, for a single angle in the end. They all lead the same way round, which h tells.
+FN EdgeSums sum_clipped_quad(Corner a, Corner b, Corner c, Corner d, Real s, Real h, Lobe lobe) {
+  // Corners at even places, the cuts of the edges that leave them at odd ones, those in use by turns.
+  Corner points[8];
+  points[0] = a;
+  points[2] = b;
+  points[4] = c;
+  points[6] = d;
+  int outline[8];
+  int count = 0;
+  for (int i = 0; i < 8; i = i + 2) {
+    int next = i < 6 ? i + 2 : 0;
+    bool above = !any_lane(points[i].p.z < Real(0.0));
+    if (above) {
+      outline[count] = i;
+      count = count + 1;
+    }
+    if (above != !any_lane(points[next].p.z < Real(0.0))) {
+      points[i + 1] = horizon_corner(points[i], points[next], lobe);
+      outline[count] = i + 1;
+      count = count + 1;
+    }
+  }
+  EdgeSums sums;
+  sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  sums.specular = sums.diffuse;
+  Real turn_cos = Real(1.0);
+  Real turn_sin = Real(0.0);
+  bool turns = false;
+  for (int k = 0; k < count; ++k) {
+    int i = outline[k];
+    int j = outline[k + 1 < count ? k + 1 : 0];
+    sums.diffuse = sums.diffuse + whole_diffuse_term(points[i], points[j]);
+    Real lower = min(points[i].o.z, points[j].o.z);
+    Real upper = max(points[i].o.z, points[j].o.z);
+    if (all_lanes(lower >= Real(0.0))) {
+      sums.specular = sums.specular + whole_specular_term(points[i], points[j]);
+    } else if (any_lane(upper >= Real(0.0))) {
+      EdgeAbove edge =
+          edge_above(points[i].o, points[j].o, s, points[i].inv_o, points[j].inv_o);
+      sums.specular = sums.specular + edge.term;
+      Real cosine = turn_cos * edge.turn_cos - turn_sin * edge.turn_sin;
+      turn_sin = turn_cos * edge.turn_sin + turn_sin * edge.turn_cos;
+      turn_cos = cosine;
+      turns = true;
+    }
+  }
+  if (turns) {
+    Real angle = abs(angle_of_unit(turn_cos, turn_sin));
+    sums.specular.z = sums.specular.z + select(h * lobe.det < Real(0.0), -angle, angle);
+  }
+  return sums;
+}
+
 /// sum_edges for four corners, which are seen once each.
 FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h) {
   Corner a = corner_seen(polygon, 0, position, frame, lobe);
@@ -101,8 +169,13 @@ FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lob
                    whole_diffuse_term(c, d) + whole_diffuse_term(d, a);
     sums.specular = whole_specular_term(a, b) + whole_specular_term(b, c) +
                     whole_specular_term(c, d) + whole_specular_term(d, a);
+    return sums;
+  }
+  Real s = apex_side(dot(frame.t2, polygon_normal(polygon)), h);
+  if (lanes_agree(a.p.z < Real(0.0)) && lanes_agree(b.p.z < Real(0.0)) &&
+      lanes_agree(c.p.z < Real(0.0)) && lanes_agree(d.p.z < Real(0.0))) {
+    sums = sum_clipped_quad(a, b, c, d, s, h, lobe);
   } else {
-    Real s = apex_side(dot(frame.t2, polygon_normal(polygon)), h);
     sums.diffuse = diffuse_term(a, b, s) + diffuse_term(b, c, s) + diffuse_term(c, d, s) +
                    diffuse_term(d, a, s);
     sums.specular = specular_term(a, b, s) + specular_term(b, c, s) + specular_term(c, d, s) +

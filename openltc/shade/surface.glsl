@@ -15,7 +15,8 @@
 
 struct Surface {
   Vec3 position; // world space
-  Real position_error; // metres within which it is known; make_surface assumes single precision
+  Real position_error2; // square of the metres within which it is known; make_surface assumes single
+                        // precision
   Frame frame;
   Vec3 wo;       // shading space: (sin theta, 0, cos theta)
   Real alpha;
@@ -40,7 +41,7 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
                         Vec3 f0, Vec3 f90, Real roughness) {
   Surface s;
   s.position = position;
-  s.position_error = k_position_rounding * sqrt(dot(position, position));
+  s.position_error2 = Real(k_position_rounding * k_position_rounding) * dot(position, position);
   s.frame = shading_frame(normal, wo_world);
   s.wo = Vec3(dot(s.frame.t1, wo_world), Real(0.0), dot(normal, wo_world));
   s.alpha = alpha_from_roughness(roughness);
@@ -76,7 +77,7 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
 /// or on a wall flush with it, as far as its position is known. Without a side there is no light.
 FN Mask has_side(Surface s, Vec3 origin, Vec3 normal) {
   Vec3 to_origin = origin - s.position;
-  return !lies_in_plane(dot(to_origin, normal), to_origin, s.position_error);
+  return !lies_in_plane(dot(to_origin, normal), to_origin, s.position_error2);
 }
 
 struct ShadedLight {

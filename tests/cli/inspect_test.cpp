@@ -95,7 +95,7 @@ TEST_CASE("inspect_of_a_scene_gives_geometry_cameras_and_photometry") {
   scene.use("VENDOR_paint");
   scene.use("EXT_lights_area");
   scene.use("KHR_lights_punctual");
-  scene.root["extensions"]["EXT_lights_area"]["lights"] = {area_light("disk", 2.0)};
+  scene.root["extensions"]["EXT_lights_area"]["lights"] = json::array({area_light("disk", 2.0)});
   scene.root["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "point"}, {"intensity", 10}, {"name", "bulb"}, {"range", 7}},
       {{"type", "spot"}, {"intensity", 20}, {"name", "beam"}, {"spot", {{"outerConeAngle", 0.5}}}},

@@ -10,7 +10,9 @@
 
 namespace openltc::f64 {
 #define FN inline
+#define FN_CALL inline
 #include "light_batch_body.inc"
+#undef FN_CALL
 #undef FN
 }
 

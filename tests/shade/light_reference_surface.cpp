@@ -89,7 +89,7 @@ double over_sphere(Rows rows, Vec3d c, double radius, Vec3d axis, double cos_end
   const double end = std::acos(cos_end);
   double sum = 0;
   for (int k = 0; k < 4; ++k)
-    sum += integrate_adaptive(at, end * k / 4, end * (k + 1) / 4, rows.tolerance, 10);
+    sum += integrate_adaptive(at, end * k / 4, end * (k + 1) / 4, rows.tolerance, 14);
   return sum;
 }
 

@@ -164,7 +164,8 @@ TEST_CASE("method: a square in the mirror direction shrinks to a point light") {
   const f64::Lobe& lobe = metal.fitted.lobe;
   const f64::Frame facing = f64::shading_frame(-k_mirror, k_up);
   const double expected[4][2] = {{0.3, 0.470}, {0.1, 0.874}, {0.03, 0.987}, {0.01, 0.9985}};
-  for (const auto& [half, ratio] : expected) {
+  for (const double(&pair)[2] : expected) {
+    const double half = pair[0], ratio = pair[1];
     const TestPolygon square({testing::rectangle(2 * half, 2 * half)}, k_mirror, facing.t1,
                              facing.t2);
     const double solid_angle = 4 * std::asin(half * half / (1 + half * half));

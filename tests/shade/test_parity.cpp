@@ -229,6 +229,7 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"pdf_lobe", 1e-4},
       // one edge by itself may pass right by the pole of its plane; the sum of an outline does not
       {"edge_term", 1e-5},
+      {"edge_term_above", 1e-5},
       {"clipped_edge_term", 1e-3},
       {"integrate_polygon", 5e-5},
       {"shade_polygon", 5e-5},

@@ -141,7 +141,8 @@ TEST_CASE("degenerate outlines and positions give finite values in range") {
       if (i % 5 == 1 || i % 5 == 2 || i % 5 == 3) {
         f32::Surface surface;
         surface.position = to_float(position);
-        surface.position_error = f32::k_position_rounding * length(surface.position);
+        surface.position_error2 = f32::k_position_rounding * f32::k_position_rounding *
+                                  dot(surface.position, surface.position);
         CHECK_FALSE(f32::has_side(surface, f32::polygon_origin(polygon.view()),
                                   f32::polygon_normal(polygon.view())));
       }
