@@ -65,8 +65,8 @@ Work random_work(LightShape shape) {
 }
 
 /// What a camera sees of a room with one lamp: sixteen pixels side by side, of one material, as a
-/// renderer shades them. The picture has 1280 pixels in 80 degrees; rows between two heights in pixels
-/// from its middle.
+/// renderer shades them. The picture has 1280 pixels in 80 degrees; rows between two heights in
+/// pixels from its middle.
 Work room_work(const std::shared_ptr<const testing::TestPolygon>& lamp, double lowest,
                double highest) {
   Work work;
@@ -86,9 +86,12 @@ Work room_work(const std::shared_ptr<const testing::TestPolygon>& lamp, double l
                     to_wall(centre.z, half.z, camera.z, ray.z));
       const double nearest = std::min({t.x, t.y, t.z});
       Vec3d normal(0, 0, 0);
-      if (nearest == t.x) normal.x = ray.x > 0 ? -1 : 1;
-      else if (nearest == t.y) normal.y = ray.y > 0 ? -1 : 1;
-      else normal.z = ray.z > 0 ? -1 : 1;
+      if (nearest == t.x)
+        normal.x = ray.x > 0 ? -1 : 1;
+      else if (nearest == t.y)
+        normal.y = ray.y > 0 ? -1 : 1;
+      else
+        normal.z = ray.z > 0 ? -1 : 1;
       LightCase& light = sixteen[std::size_t(i)];
       light.shape = LightShape::rectangle;
       light.polygon = lamp;
@@ -118,8 +121,8 @@ Work wall_lamp() {
                    -360, -230);
 }
 
-/// A floor's points under a quad, each seen from elsewhere: a ceiling lamp, or a wall that the floor's
-/// horizon cuts.
+/// A floor's points under a quad, each seen from elsewhere: a ceiling lamp, or a wall that the
+/// floor's horizon cuts.
 Work quad_work(bool cut) {
   Work work;
   Random random(32);

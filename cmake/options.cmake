@@ -12,12 +12,9 @@ target_include_directories(openltc_options INTERFACE ${PROJECT_SOURCE_DIR})
 # -ffp-contract=off: the same bytes from every compiler. Targets with the property OPENLTC_FUSE, the
 # lanes, may fuse multiply and add.
 target_compile_options(openltc_options INTERFACE
-  -Wall -Wextra -Wshadow -Wdouble-promotion -fno-math-errno
+  -Wall -Wextra -Wshadow -fno-math-errno
+  $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion> # Clang's complains of initialisations too
   -ffp-contract=$<IF:$<BOOL:$<TARGET_PROPERTY:OPENLTC_FUSE>>,fast,off>)
-# In lanes GCC's default order keeps an instruction close to the one before it in the source, and the
-# machine waits; Clang's does not (decision 36).
-target_compile_options(openltc_options INTERFACE
-  $<$<AND:$<BOOL:$<TARGET_PROPERTY:OPENLTC_FUSE>>,$<CXX_COMPILER_ID:GNU>>:-fschedule-insns$<SEMICOLON>-fsched-pressure>)
 if(OPENLTC_WERROR)
   target_compile_options(openltc_options INTERFACE -Werror)
 endif()

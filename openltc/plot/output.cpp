@@ -29,7 +29,7 @@ bool ends_with(const std::string& path, std::string_view ending) {
   });
 }
 
-constexpr const char* k_no_rsvg =
+[[maybe_unused]] constexpr const char* k_no_rsvg =
     "this build has no librsvg to make PNG pictures of figures; install "
     "librsvg2-dev and build again, or write .svg";
 

@@ -14,7 +14,7 @@ namespace openltc::f64 {
 #include "light_batch_body.inc"
 #undef FN_CALL
 #undef FN
-}
+} // namespace openltc::f64
 
 namespace openltc::testing {
 

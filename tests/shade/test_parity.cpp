@@ -292,8 +292,8 @@ TEST_CASE("float follows double in every function") {
     const double worst = entry.second;
     CAPTURE(name);
     // Rays that graze the light's plane meet it far away.
-    const bool grazes = name == "intersect_ellipse" || name == "intersect_seen_ellipse" ||
-                        name == "intersect_tube";
+    const bool grazes =
+        name == "intersect_ellipse" || name == "intersect_seen_ellipse" || name == "intersect_tube";
     // Drawn on a rim that the ray just touches.
     const bool touches = name == "sample_seen_tube";
     CHECK(worst < (touches ? 5e-2 : grazes ? 2e-2 : 2e-4));

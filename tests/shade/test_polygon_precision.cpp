@@ -92,9 +92,8 @@ static bool sums_are_finite(const PolygonView& polygon, Vec3f position, const f3
                             const f32::Lobe& lobe) {
   for (const float h : {-1.0f, 1.0f}) {
     const f32::EdgeSums sums = f32::sum_edges(polygon, position, frame, lobe, h);
-    const f32::EdgeSums quad = polygon.point_count == 5
-                                   ? f32::sum_quad_edges(polygon, position, frame, lobe, h)
-                                   : sums;
+    const f32::EdgeSums quad =
+        polygon.point_count == 5 ? f32::sum_quad_edges(polygon, position, frame, lobe, h) : sums;
     for (const Vec3f& v : {sums.diffuse, sums.specular, quad.diffuse, quad.specular})
       if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
   }

@@ -253,7 +253,8 @@ TEST_CASE("ellipses are sampled by solid angle: their density, and how even it i
           f64::sample_seen_ellipse(ellipse, seen, Vec3d(0, 0, 0), random.square());
       REQUIRE(point.hit);
       mean += point.solid_angle / count;
-      farthest = std::max({farthest, point.solid_angle / solid_angle, solid_angle / point.solid_angle});
+      farthest =
+          std::max({farthest, point.solid_angle / solid_angle, solid_angle / point.solid_angle});
       const Vec3d at = point.direction * point.distance - center;
       const double x = dot(at, ellipse.half_u) / dot(ellipse.half_u, ellipse.half_u);
       const double y = dot(at, ellipse.half_v) / dot(ellipse.half_v, ellipse.half_v);
@@ -336,12 +337,14 @@ TEST_CASE("tubes are sampled by solid angle: their density, and how even it is")
           f64::sample_seen_tube(tube, seen, Vec3d(0, 0, 0), random.square());
       REQUIRE(point.hit);
       mean += point.solid_angle / count;
-      farthest = std::max({farthest, point.solid_angle / solid_angle, solid_angle / point.solid_angle});
+      farthest =
+          std::max({farthest, point.solid_angle / solid_angle, solid_angle / point.solid_angle});
       const Vec3d at = point.direction * point.distance - from;
       const double z = dot(at, axis), x = dot(at, frame.t1), y = dot(at, frame.t2);
       const double phi = std::atan2(y, x) / (2 * f64::k_pi);
       double row = 1 + z / length_ * (rows - 2);
-      const double beyond = z < length_ / 2 ? -z : z - length_, rest2 = (x * x + y * y) / (radius * radius);
+      const double beyond = z < length_ / 2 ? -z : z - length_,
+                   rest2 = (x * x + y * y) / (radius * radius);
       if (beyond > 1e-9 || (caps == 1 && beyond > -1e-9 && rest2 < 1 - 1e-9)) {
         const double h = caps > 1.5 ? beyond / radius : rest2;
         row = z < length_ / 2 ? std::min(h, 0.9999) : rows - 1 + h;
