@@ -5,8 +5,10 @@
 // specular integral clipped to both horizons, reflectance. Scalar and in the lanes of every
 // instruction set of this CPU, on one core.
 //
-// In the same run: a quad in the usual scalar formulation, and how many times faster lanes are; the
-// multiply-adds that this CPU can do, and the fraction of them that a quad needs.
+// In the same run: a quad in the usual scalar formulation, and how many times faster lanes are that
+// return the same, with the albedo of the whole lobe for its reflectance; quads named _fresnel are
+// shaded as the renderer does it. The multiply-adds that this CPU can do, and the fraction of them
+// that a quad needs.
 
 #include "bench/counted.h"
 #include "bench/fma_peak.h"
@@ -26,7 +28,6 @@
 
 using namespace openltc;
 using testing::k_batch;
-using testing::LightAnswers;
 using testing::LightBatch;
 using testing::LightCase;
 using testing::LightShape;
@@ -188,6 +189,15 @@ void run_peak(benchmark::State& state, bench::FmaPeak peak) {
   state.counters["Gflop/s"] = benchmark::Counter(1e-9 * operations, benchmark::Counter::kIsRate);
 }
 
+double least(const std::vector<double>& of) { return *std::min_element(of.begin(), of.end()); }
+double largest(const std::vector<double>& of) { return *std::max_element(of.begin(), of.end()); }
+
+template <class... Arguments>
+void add_benchmark(const std::string& name, Arguments&&... arguments) {
+  benchmark::RegisterBenchmark(name.c_str(), std::forward<Arguments>(arguments)...)
+      ->ComputeStatistics("fastest", least);
+}
+
 /// Keeps what the console prints.
 class Keeper : public benchmark::ConsoleReporter {
 public:
@@ -195,8 +205,8 @@ public:
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs)
       for (const auto& counter : run.counters) {
-        // Median of repetitions where there are any.
-        if (run.run_type == Run::RT_Aggregate && run.aggregate_name != "median") continue;
+        // Of repetitions the fastest: who else is on the machine makes none faster.
+        if (run.run_type == Run::RT_Aggregate && run.aggregate_name != "fastest") continue;
         values[run.run_name.function_name + " " + counter.first] = double(counter.second);
       }
   }
@@ -221,6 +231,18 @@ const NamedPeak k_peaks[] = {
 #endif
 };
 
+/// Quads to be shaded in two ways.
+struct Quads {
+  std::string name;
+  Work evenly;  ///< returns what the usual formulation does
+  Work fresnel; ///< as the renderer shades: Fresnel's reflectance in the mean direction
+
+  Quads(const char* n, const Work& work) : name(n), evenly(work), fresnel(work) {
+    for (LightBatch& batch : evenly.batches)
+      batch.even_reflectance = true;
+  }
+};
+
 double mean_operations(const Work& work) {
   double sum = 0;
   for (const LightBatch& batch : work.batches)
@@ -229,28 +251,43 @@ double mean_operations(const Work& work) {
 }
 
 /// Both formulations of a quad must find the same light, or their times say nothing: the mean
-/// difference of the specular integral, taken with a reflectance of n1. Their tables hold other
-/// numbers, which interpolate otherwise between nodes.
-double difference_from_usual(const Work& work) {
+/// difference of what they return, and of the usual one the mean. Their tables hold other numbers,
+/// which interpolate otherwise between nodes.
+struct Difference {
+  double mean;
+  double of;
+};
+
+Difference difference_from_usual(const Work& work) {
   const LobeTableView lobes = table::builtin_ggx_table().view();
   const bench::UsualTable table = bench::usual_table();
-  double sum = 0;
-  for (LightBatch batch : work.batches) {
-    std::fill_n(batch.f0, k_batch, 1.0f);
-    std::fill_n(batch.albedo, k_batch, 0.0f);
-    LightAnswers answers;
-    testing::evaluate_lights_scalar(batch, lobes, &answers);
-    float out[3][k_batch];
-    bench::usual_quad(batch, table, 0, k_batch, out);
+  Difference difference = {0, 0};
+  for (const LightBatch& batch : work.batches) {
+    float ours[3][k_batch], usual[3][k_batch];
+    testing::shade_lights_scalar(batch, lobes, ours);
+    bench::usual_quad(batch, table, 0, k_batch, usual);
     for (int i = 0; i < k_batch; ++i) {
-      const Vec3f n(batch.normal[0][i], batch.normal[1][i], batch.normal[2][i]);
-      const Vec3f wo(batch.wo[0][i], batch.wo[1][i], batch.wo[2][i]);
-      const float n1 =
-          f32::fetch_lobe(lobes, f32::alpha_from_roughness(batch.roughness[i]), dot(n, wo)).n1;
-      sum += double(std::abs(out[0][i] / n1 - answers.specular[i]));
+      difference.mean += double(std::abs(ours[0][i] - usual[0][i]));
+      difference.of += double(usual[0][i]);
     }
   }
-  return sum / double(work.batches.size() * k_batch);
+  const double points = double(work.batches.size() * k_batch);
+  return {difference.mean / points, difference.of / points};
+}
+
+void compare_with_usual(const Keeper& keeper, const std::string& name, const Work& work,
+                        double usual) {
+  const double operations = mean_operations(work);
+  std::printf("  %s: %.0f floating-point operations\n", name.c_str(), operations);
+  for (const LightTarget& target : testing::light_targets()) {
+    const double ns = keeper.value(name + "/" + target.name + " ns/eval");
+    const double peak = keeper.value(std::string("peak/") + target.name + " Gflop/s");
+    if (ns <= 0) continue;
+    std::printf("    %-8s %6.1f ns, %5.1f times the usual formulation's speed", target.name, ns,
+                usual / ns);
+    if (peak > 0) std::printf(", %4.1f %% of %.0f Gflop/s", 100 * operations / ns / peak, peak);
+    std::printf("\n");
+  }
 }
 
 } // namespace
@@ -259,46 +296,36 @@ int main(int argc, char** argv) {
   std::vector<Work> shapes;
   for (int k = 0; k < testing::k_light_shapes; ++k)
     shapes.push_back(random_work(testing::shape_of_index(k)));
-  const Work quads[] = {quad_work(false), ceiling_lamp(), wall_lamp(), quad_work(true)};
-  const char* const quad_names[] = {"quad_above", "quad_room", "quad_floor", "quad_cut"};
-  constexpr int k_quads = 4;
+  const Quads quads[] = {Quads("quad_above", quad_work(false)), Quads("quad_room", ceiling_lamp()),
+                         Quads("quad_floor", wall_lamp()), Quads("quad_cut", quad_work(true))};
 
   for (const LightTarget& target : testing::light_targets()) {
     const std::string suffix = std::string("/") + target.name;
-    for (int q = 0; q < k_quads; ++q)
-      benchmark::RegisterBenchmark((quad_names[q] + suffix).c_str(), run_target,
-                                   std::cref(quads[q]), target.shade);
+    for (const Quads& q : quads) {
+      add_benchmark(q.name + suffix, run_target, std::cref(q.evenly), target.shade);
+      add_benchmark(q.name + "_fresnel" + suffix, run_target, std::cref(q.fresnel), target.shade);
+    }
     for (int k = 0; k < testing::k_light_shapes; ++k)
-      benchmark::RegisterBenchmark(
-          (testing::shape_name(testing::shape_of_index(k)) + suffix).c_str(), run_target,
-          std::cref(shapes[std::size_t(k)]), target.shade);
+      add_benchmark(testing::shape_name(testing::shape_of_index(k)) + suffix, run_target,
+                    std::cref(shapes[std::size_t(k)]), target.shade);
     for (const NamedPeak& p : k_peaks)
       if (p.name == std::string(target.name))
-        benchmark::RegisterBenchmark((std::string("peak") + suffix).c_str(), run_peak, p.peak);
+        benchmark::RegisterBenchmark(("peak" + suffix).c_str(), run_peak, p.peak)
+            ->ComputeStatistics("fastest", largest);
   }
-  for (int q = 0; q < k_quads; ++q)
-    benchmark::RegisterBenchmark((quad_names[q] + std::string("/usual")).c_str(), run_usual,
-                                 std::cref(quads[q]));
+  for (const Quads& q : quads)
+    add_benchmark(q.name + "/usual", run_usual, std::cref(q.evenly));
   benchmark::Initialize(&argc, argv);
   Keeper keeper;
   benchmark::RunSpecifiedBenchmarks(&keeper);
 
-  for (int q = 0; q < k_quads; ++q) {
-    const std::string name = quad_names[q];
-    const double usual = keeper.value(name + "/usual ns/eval");
+  for (const Quads& q : quads) {
+    const double usual = keeper.value(q.name + "/usual ns/eval");
     if (usual <= 0) continue;
-    const double operations = mean_operations(quads[q]);
-    std::printf("\n%s: %.0f floating-point operations; usual scalar formulation %.1f ns, "
-                "mean difference of the specular integral from it %.1e\n",
-                name.c_str(), operations, usual, difference_from_usual(quads[q]));
-    for (const LightTarget& target : testing::light_targets()) {
-      const double ns = keeper.value(name + "/" + target.name + " ns/eval");
-      const double peak = keeper.value(std::string("peak/") + target.name + " Gflop/s");
-      if (ns <= 0) continue;
-      std::printf("  %-8s %6.1f ns, %5.1f times the usual formulation's speed", target.name, ns,
-                  usual / ns);
-      if (peak > 0) std::printf(", %4.1f %% of %.0f Gflop/s", 100 * operations / ns / peak, peak);
-      std::printf("\n");
-    }
+    const Difference difference = difference_from_usual(q.evenly);
+    std::printf("\n%s: usual scalar formulation %.1f ns; light %.4f, mean difference %.1e\n",
+                q.name.c_str(), usual, difference.of, difference.mean);
+    compare_with_usual(keeper, q.name, q.evenly, usual);
+    compare_with_usual(keeper, q.name + "_fresnel", q.fresnel, usual);
   }
 }

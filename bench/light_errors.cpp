@@ -11,6 +11,8 @@
 
 #include "tests/shade/light_reference.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -88,6 +90,20 @@ int main(int argc, char** argv) {
       std::fflush(stdout);
       all.push_back(e);
     }
+  }
+  std::printf("\n");
+  for (const LightShape shape : {LightShape::rectangle, LightShape::polygon}) {
+    long long noticeable = 0;
+    float below = 0;
+    for (const ShapeErrors& e : all)
+      if (e.shape == shape) {
+        noticeable += e.specular.noticeable;
+        below = std::max(below, e.specular.noticeable_below);
+      }
+    std::printf(
+        "Of %lld specular integrals of a %s, %lld are off by more than 1e-5, at a roughness "
+        "of %.3f and less.\n",
+        count, testing::shape_name(shape), noticeable, std::ceil(double(below) * 1e3) / 1e3);
   }
   if (worst)
     for (const ShapeErrors& e : all) {

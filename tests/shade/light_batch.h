@@ -36,6 +36,9 @@ struct LightBatch {
   float a[3][k_batch], b[3][k_batch], c[3][k_batch];
   float radius[k_batch];
   float two_sided[k_batch]; ///< 0 or 1; ellipses
+  /// Polygons, of ShadeLights: the specular albedo taken for the reflectance of the whole lobe, as
+  /// renderers usually do, instead of Fresnel's reflectance in the mean direction.
+  bool even_reflectance = false;
 };
 
 /// What the dialect makes of each, radiance 1.

@@ -61,6 +61,10 @@ ErrorFigures figures(const std::vector<Differences>& all, double Differences::*w
       f.largest = value;
       f.worst = i;
     }
+    if (!(value <= 1e-5)) {
+      ++f.noticeable;
+      f.noticeable_below = std::max(f.noticeable_below, all[i].roughness);
+    }
   }
   f.count = std::int64_t(values.size());
   if (values.empty()) return f;

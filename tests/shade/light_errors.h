@@ -19,7 +19,9 @@ namespace openltc::testing {
 struct ErrorFigures {
   std::int64_t count = 0;
   double mean = 0, p99 = 0, largest = 0;
-  std::uint64_t worst = 0; ///< index of the largest
+  std::uint64_t worst = 0;     ///< index of the largest
+  std::int64_t noticeable = 0; ///< how many are beyond 1e-5
+  float noticeable_below = 0;  ///< the largest roughness among those
 };
 
 struct ShapeErrors {
