@@ -96,9 +96,9 @@ Work room_work(const std::shared_ptr<const testing::TestPolygon>& lamp, double l
       LightCase& light = sixteen[std::size_t(i)];
       light.shape = LightShape::rectangle;
       light.polygon = lamp;
-      light.position = testing::to_float(camera + ray * nearest);
-      light.normal = testing::to_float(normal);
-      light.wo = testing::to_float(ray * -1.0);
+      light.position = to_float(camera + ray * nearest);
+      light.normal = to_float(normal);
+      light.wo = to_float(ray * -1.0);
       light.roughness = roughness;
     }
     work.add(sixteen);
@@ -142,7 +142,7 @@ Work quad_work(bool cut) {
       light.position = Vec3f(float(random.uniform(-2, 2)), float(random.uniform(-2, 2)), 0);
       Vec3d view = random.sphere();
       view.z = 0.1 + std::abs(view.z);
-      light.wo = testing::to_float(normalize(view));
+      light.wo = to_float(normalize(view));
       light.roughness = float(random.uniform());
     }
     work.add(sixteen);

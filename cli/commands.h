@@ -5,12 +5,19 @@
 
 #pragma once
 
+#include "openltc/base/result.h"
+
 #include <CLI/CLI.hpp>
+
+#include <string>
 
 namespace openltc::cli {
 
 /// Exit codes of the tool.
 enum ExitCode { k_exit_ok = 0, k_exit_failed = 1, k_exit_usage = 2 };
+
+/// Prints "openltc COMMAND: message" to stderr and returns `code`.
+int fail(const std::string& command, const Error& error, ExitCode code = k_exit_failed);
 
 /// Adds the sub-command with its options to `app`. When it is chosen, its callback runs the job,
 /// prints errors to stderr and stores the exit code in `exit_code`.

@@ -416,8 +416,7 @@ void add_compare(CLI::App& app, int& exit_code) {
           fmt::format("{} and {}: not enough memory to compare them", options->a, options->b)};
     }
     if (status.ok()) return;
-    fmt::print(stderr, "openltc compare: {}\n", status.error().message);
-    exit_code = k_exit_failed;
+    exit_code = fail("compare", status.error());
   });
 }
 

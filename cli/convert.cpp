@@ -43,11 +43,6 @@ struct ConvertArguments {
   bool quiet = false;
 };
 
-int fail(const Error& error, ExitCode code = k_exit_failed) {
-  fmt::print(stderr, "openltc convert: {}\n", error.message);
-  return code;
-}
-
 // What the arguments ask of the table, through the native packing where that is needed.
 Result<table::PackedTable> convert(const table::PackedTable& from,
                                    const ConvertArguments& arguments) {
@@ -110,20 +105,23 @@ int convert_polynomial(const ConvertArguments& arguments) {
   const bool asks_for_table = arguments.layout || arguments.from_layout || arguments.precision ||
                               arguments.size > 0 || !arguments.brdf.empty();
   if (asks_for_table)
-    return fail(Error{arguments.input + ": holds a polynomial; --layout, --from-layout, "
+    return fail("convert",
+                Error{arguments.input + ": holds a polynomial; --layout, --from-layout, "
                                         "--precision, --size and --brdf are for tables"});
   const std::string extension = std::filesystem::path(arguments.output).extension().string();
   if (extension == ".cpp" || extension == ".inc") // the source of the built-in, no container
-    return fail(Error{arguments.output + ": a polynomial is written as .json .h .glsl .hlsl .wgsl "
+    return fail("convert",
+                Error{arguments.output + ": a polynomial is written as .json .h .glsl .hlsl .wgsl "
                                          "or .js"},
                 k_exit_usage);
   if (Status status = table::check_polynomial_extension(arguments.output); !status)
-    return fail(status.error(), k_exit_usage);
-  if (Status status = check_place(arguments.output); !status) return fail(status.error());
+    return fail("convert", status.error(), k_exit_usage);
+  if (Status status = check_place(arguments.output); !status)
+    return fail("convert", status.error());
   const Result<table::LobePolynomial> polynomial = table::read_polynomial(arguments.input);
-  if (!polynomial) return fail(polynomial.error());
+  if (!polynomial) return fail("convert", polynomial.error());
   if (Status status = table::write_polynomial(*polynomial, arguments.output); !status)
-    return fail(status.error());
+    return fail("convert", status.error());
   if (!arguments.quiet) fmt::print(stderr, "wrote {}\n", arguments.output);
   return k_exit_ok;
 }
@@ -132,21 +130,22 @@ int convert_lights(const ConvertArguments& arguments) {
   const bool asks_for_table = arguments.layout || arguments.from_layout || arguments.precision ||
                               arguments.size > 0 || !arguments.brdf.empty();
   if (asks_for_table)
-    return fail(Error{arguments.input + ": holds a scene; --layout, --from-layout, --precision, "
+    return fail("convert",
+                Error{arguments.input + ": holds a scene; --layout, --from-layout, --precision, "
                                         "--size and --brdf are for tables"});
   const Status status =
       convert_scene(arguments.input, arguments.output, arguments.emissive, arguments.quiet);
-  return status.ok() ? k_exit_ok : fail(status.error());
+  return status.ok() ? k_exit_ok : fail("convert", status.error());
 }
 
 int run_convert(const ConvertArguments& arguments) {
   if (is_polynomial_file(arguments.input)) return convert_polynomial(arguments);
   if (is_scene_file(arguments.input)) return convert_lights(arguments);
   if (Status status = table::check_packed_extension(arguments.output); !status)
-    return fail(status.error(), k_exit_usage);
+    return fail("convert", status.error(), k_exit_usage);
   const Result<table::PackedTable> read =
       table::read_packed(arguments.input, arguments.from_layout);
-  if (!read) return fail(read.error());
+  if (!read) return fail("convert", read.error());
   table::PackedTable from = *read;
   if (!arguments.brdf.empty()) {
     from.metadata.brdf = arguments.brdf;
@@ -155,10 +154,11 @@ int run_convert(const ConvertArguments& arguments) {
   }
   for (const std::string& file :
        packed_files(arguments.layout.value_or(from.layout), arguments.output))
-    if (Status status = check_place(file); !status) return fail(status.error());
+    if (Status status = check_place(file); !status) return fail("convert", status.error());
 
   Result<table::PackedTable> to = convert(from, arguments);
-  if (!to) return fail(Error{fmt::format("{}: {}", arguments.input, to.error().message)});
+  if (!to)
+    return fail("convert", Error{fmt::format("{}: {}", arguments.input, to.error().message)});
   const bool changed = to->layout != from.layout || to->precision != from.precision ||
                        to->columns() != from.columns() || to->rows() != from.rows();
   if (changed || (to->metadata.mean_tv == 0 && !arguments.brdf.empty())) restate_errors(*to);
@@ -167,7 +167,7 @@ int run_convert(const ConvertArguments& arguments) {
     to->metadata.tool_version = OPENLTC_VERSION;
   }
   const auto written = write_packed(*to, arguments.output);
-  if (!written) return fail(written.error());
+  if (!written) return fail("convert", written.error());
   if (arguments.quiet) return k_exit_ok;
   for (const std::string& file : *written)
     fmt::print(stderr, "wrote {}\n", file);

@@ -37,11 +37,6 @@ struct FitArguments {
   bool quiet = false;
 };
 
-int fail(const Error& error) {
-  fmt::print(stderr, "openltc fit: {}\n", error.message);
-  return k_exit_failed;
-}
-
 int list_brdfs() {
   for (const brdf::Brdf& b : brdf::all_brdfs()) {
     fmt::print("{:<14} {}\n{:14} {}\n", b.name, b.variant, "", b.source);
@@ -158,24 +153,24 @@ int run_fit(const FitArguments& arguments) {
   if (arguments.list) return list_brdfs();
   const FitChoices& choices = arguments.choices;
   if (Status status = check_extensions(choices, arguments.outputs); !status) {
-    fail(status.error());
+    fail("fit", status.error());
     return k_exit_usage;
   }
   const Result<brdf::Brdf> brdf = brdf::choose_brdf(choices.brdf);
   if (!brdf) {
-    fail(brdf.error());
+    fail("fit", brdf.error());
     return is_file(choices.brdf) ? k_exit_failed : k_exit_usage;
   }
   // Find out now, not after the work, what cannot be written or read.
   Result<std::vector<std::string>> files = check_outputs(*brdf, choices, arguments.outputs);
-  if (!files) return fail(files.error());
+  if (!files) return fail("fit", files.error());
   for (const std::string& path : arguments.reports) {
-    if (Status status = check_report(path); !status) return fail(status.error());
+    if (Status status = check_report(path); !status) return fail("fit", status.error());
     files->push_back(path);
   }
-  if (Status status = check_distinct(*files); !status) return fail(status.error());
+  if (Status status = check_distinct(*files); !status) return fail("fit", status.error());
   const Result<std::vector<fit::Candidate>> others = read_candidates(arguments);
-  if (!others) return fail(others.error());
+  if (!others) return fail("fit", others.error());
 
   const bool terminal = isatty(STDERR_FILENO) != 0 && !arguments.quiet;
   const auto progress = [&](double share) {
@@ -185,26 +180,26 @@ int run_fit(const FitArguments& arguments) {
   };
   Result<FittedLobes> fitted = fit_lobes(*brdf, choices, progress);
   if (terminal) fmt::print(stderr, "\r{:60}\r", "");
-  if (!fitted) return fail(fitted.error());
+  if (!fitted) return fail("fit", fitted.error());
   if (!arguments.quiet) {
     fmt::print(stderr, "fitted {} in {:.3f} s\n", brdf->name, fitted->seconds);
     if (!fitted->note.empty()) fmt::print(stderr, "{}\n", fitted->note);
     if (!fitted->warning.empty()) fmt::print(stderr, "{}\n", fitted->warning);
   }
   const Result<fit::Report> report = make_fit_report(*brdf, *fitted, *others, arguments);
-  if (!report) return fail(report.error());
+  if (!report) return fail("fit", report.error());
   state_error(*fitted, report->regions.front().errors.front());
   fmt::print("{}", fit::to_text(*report));
 
   std::vector<std::string> written;
   for (const std::string& path : arguments.outputs) {
     const Result<std::vector<std::string>> done = write_lobes(*fitted, path);
-    if (!done) return fail(done.error());
+    if (!done) return fail("fit", done.error());
     written.insert(written.end(), done->begin(), done->end());
   }
   for (const std::string& path : arguments.reports) {
     const std::string text = is_page(path) ? fit::to_html(*report) : fit::to_json(*report);
-    if (Status status = write_text(path, text); !status) return fail(status.error());
+    if (Status status = write_text(path, text); !status) return fail("fit", status.error());
     written.push_back(path);
   }
   if (arguments.quiet) return k_exit_ok;
@@ -318,9 +313,9 @@ void add_fit(CLI::App& app, int& exit_code) {
   command->callback([arguments, degree, of_tables, &exit_code] {
     const bool polynomial = arguments->choices.form == LobeForm::polynomial;
     const auto refuse = [&](const CLI::Option* option, const char* form, const char* not_form) {
-      fmt::print(stderr, "openltc fit: {} is for {}, not for {}\n", option->get_name(), form,
-                 not_form);
-      exit_code = k_exit_usage;
+      exit_code = fail(
+          "fit", Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)},
+          k_exit_usage);
     };
     for (const CLI::Option* option : of_tables)
       if (polynomial && option->count() > 0) return refuse(option, "tables", "--form polynomial");

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "cli/lobe_file.h"
 #include "openltc/brdf/brdf.h"
 #include "openltc/fit/report.h"
 #include "openltc/fit/table_fit.h"
@@ -18,9 +19,6 @@
 #include <vector>
 
 namespace openltc::cli {
-
-/// What lobes are kept in.
-enum class LobeForm { table, polynomial };
 
 /// What is asked for. The defaults give the built-in table.
 struct FitChoices {

@@ -63,10 +63,7 @@ Result<Description> describe(const std::string& path, const scene::EmissiveOptio
 
 int run_inspect(const InspectArguments& arguments) {
   const Result<Description> description = describe(arguments.path, arguments.emissive);
-  if (!description) {
-    fmt::print(stderr, "openltc inspect: {}\n", description.error().message);
-    return k_exit_failed;
-  }
+  if (!description) return fail("inspect", description.error());
   if (!arguments.json) {
     fmt::print("{}", description->text);
     return k_exit_ok;

@@ -15,6 +15,9 @@
 
 namespace openltc::cli {
 
+/// What lobes are kept in.
+enum class LobeForm { table, polynomial };
+
 /// Whether a file says that it holds a lobe polynomial. It may be broken all the same.
 bool is_polynomial_file(const std::string& path);
 

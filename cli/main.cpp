@@ -29,6 +29,11 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
 
 } // namespace
 
+int openltc::cli::fail(const std::string& command, const Error& error, ExitCode code) {
+  fmt::print(stderr, "openltc {}: {}\n", command, error.message);
+  return code;
+}
+
 int main(int argc, char** argv) {
   CLI::App app{"OpenLTC: physically based area lights, noise-free.\n"
                "Closed-form shading with linearly transformed cosines (LTC), proved against a "

@@ -43,8 +43,7 @@ CLI::App* add_figure(CLI::App& plot, const std::string& what, const std::string&
 }
 
 int fail_plot(const PlotOutput& output, const Error& error) {
-  fmt::print(stderr, "openltc plot {}: {}\n", output.what, error.message);
-  return k_exit_failed;
+  return fail("plot " + output.what, error);
 }
 
 int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure>()>& make) {

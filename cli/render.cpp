@@ -34,7 +34,6 @@ namespace openltc::cli {
 namespace {
 
 enum class LightChoice { automatic, scene, studio, both };
-enum class LobeForm { table, polynomial };
 
 struct RenderArguments {
   std::string scene;
@@ -70,11 +69,6 @@ constexpr float k_largest_half = 65504;
 constexpr float k_studio_background_nits = 0.07f;
 // Brings that card just to white; the neutral tone curve keeps what the fill light adds.
 constexpr float k_studio_exposure = 1.2f;
-
-int fail(const std::string& message, ExitCode code = k_exit_failed) {
-  fmt::print(stderr, "openltc render: {}\n", message);
-  return code;
-}
 
 std::optional<float> parse_float(std::string_view text) {
   float value = 0;
@@ -178,24 +172,28 @@ int run_render(const RenderArguments& arguments) {
   render::RenderOptions options;
   const bool size_given = !arguments.size.empty();
   if (size_given && !parse_size(arguments.size, options.width, options.height))
-    return fail(fmt::format("--size {}: write WIDTHxHEIGHT, e.g. 1280x720", arguments.size),
+    return fail("render",
+                Error{fmt::format("--size {}: write WIDTHxHEIGHT, e.g. 1280x720", arguments.size)},
                 k_exit_usage);
   const bool background_given = !arguments.background.empty();
   if (background_given) {
     const auto background = parse_color(arguments.background);
     if (!background)
-      return fail(fmt::format("--background {}: write one number or R,G,B in nits, each 0 or more",
-                              arguments.background),
-                  k_exit_usage);
+      return fail(
+          "render",
+          Error{fmt::format("--background {}: write one number or R,G,B in nits, each 0 or more",
+                            arguments.background)},
+          k_exit_usage);
     options.background = *background;
   }
   DisplayOptions display = arguments.display;
   if (arguments.exposure != "auto") {
     display.ev100 = parse_float(arguments.exposure);
     if (!display.ev100)
-      return fail(
-          fmt::format("--exposure {}: write \"auto\" or an EV100 such as 12.5", arguments.exposure),
-          k_exit_usage);
+      return fail("render",
+                  Error{fmt::format("--exposure {}: write \"auto\" or an EV100 such as 12.5",
+                                    arguments.exposure)},
+                  k_exit_usage);
   }
   options.integrator = arguments.integrator;
   const bool reference = options.integrator == render::Integrator::reference;
@@ -213,19 +211,21 @@ int run_render(const RenderArguments& arguments) {
   // Find out now, not after the work, that a picture cannot be written.
   const bool has_standard_error = reference && options.samples > 1;
   if (Status status = check_outputs(arguments.outputs, has_standard_error); !status.ok())
-    return fail(status.error().message);
+    return fail("render", status.error());
   if (reference && (arguments.lobes || !arguments.table.empty()))
-    return fail(fmt::format("{}: the reference has no lobes, and its materials are defined with "
-                            "the built-in table; use --integrator ltc",
-                            arguments.lobes ? "--lobes" : "--table"),
-                k_exit_usage);
+    return fail(
+        "render",
+        Error{fmt::format("{}: the reference has no lobes, and its materials are defined with "
+                          "the built-in table; use --integrator ltc",
+                          arguments.lobes ? "--lobes" : "--table")},
+        k_exit_usage);
   if (reference && !has_standard_error && !arguments.quiet)
     fmt::print(stderr, "warning: one sample per pixel has no standard error; it is left out\n");
 
   catch_interrupts();
   const auto load_start = std::chrono::steady_clock::now();
   Result<scene::Scene> loaded = scene::load_gltf(arguments.scene, arguments.emissive);
-  if (!loaded) return fail(loaded.error().message);
+  if (!loaded) return fail("render", loaded.error());
   scene::Scene& scene = *loaded;
   const double load_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - load_start).count();
@@ -233,7 +233,7 @@ int run_render(const RenderArguments& arguments) {
   const float wanted_aspect = float(options.width) / float(options.height);
   Result<scene::Camera> camera =
       choose_camera(scene, arguments.camera, arguments.scene, wanted_aspect);
-  if (!camera) return fail(camera.error().message);
+  if (!camera) return fail("render", camera.error());
   if (!size_given && camera->aspect > 0)
     options.width = std::clamp(int(float(options.height) * camera->aspect + 0.5f), 16, 8192);
   const LightsChosen lights = choose_lights(scene, arguments.lights, *camera);
@@ -244,7 +244,7 @@ int run_render(const RenderArguments& arguments) {
 
   ShadingLobes own_lobes;
   const Result<render::LobeSource> lobes = choose_lobes(arguments, own_lobes, scene.warnings);
-  if (!lobes) return fail(lobes.error().message);
+  if (!lobes) return fail("render", lobes.error());
 
   if (!arguments.quiet) {
     for (const std::string& warning : scene.warnings)
@@ -261,20 +261,20 @@ int run_render(const RenderArguments& arguments) {
   }
 
   Result<render::Picture> picture = render::render(scene, *camera, *lobes, options);
-  if (!picture) return fail(picture.error().message);
+  if (!picture) return fail("render", picture.error());
   if (!arguments.quiet)
     for (const std::string& warning : picture->warnings)
       fmt::print(stderr, "warning: {}\n", warning);
 
   Result<float> exposure = resolve_exposure(picture->radiance, display);
-  if (!exposure) return fail(exposure.error().message);
+  if (!exposure) return fail("render", exposure.error());
   const image::Image* standard_error = has_standard_error ? &picture->standard_error : nullptr;
   const auto precision =
       arguments.half ? image::ExrPrecision::half_float : image::ExrPrecision::full_float;
   for (const std::string& output : arguments.outputs) {
     const Status status = write_picture(output, picture->radiance, standard_error, *exposure,
                                         display.tonemap, precision);
-    if (!status.ok()) return fail(status.error().message);
+    if (!status.ok()) return fail("render", status.error());
     if (!arguments.quiet)
       for (const std::string& file : output_files(output, has_standard_error))
         fmt::print(stderr, "wrote {}\n", file);

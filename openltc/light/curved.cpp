@@ -14,7 +14,7 @@ namespace {
 
 constexpr double k_pi = std::numbers::pi;
 
-double length_of(Vec3f v) { return length(Vec3d(double(v.x), double(v.y), double(v.z))); }
+double length_of(Vec3f v) { return length(to_double(v)); }
 
 // Whether an axis has a length that shading can square.
 bool is_extent(double metres) { return metres > 1e-12 && metres < 1e12; }

@@ -34,7 +34,6 @@ constexpr int k_min_side = 32;
 // Lines along which a texel's cover is measured.
 constexpr int k_lines_per_row = 4;
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
 void copy3(float* out, Vec3d v) {
   out[0] = float(v.x);
   out[1] = float(v.y);

@@ -14,9 +14,7 @@ bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std
 
 bool is_non_negative(Vec3f v) { return v.x >= 0 && v.y >= 0 && v.z >= 0; }
 
-bool is_unit(Vec3f v) {
-  return std::abs(length(Vec3d(double(v.x), double(v.y), double(v.z))) - 1) < 1e-3;
-}
+bool is_unit(Vec3f v) { return std::abs(length(to_double(v)) - 1) < 1e-3; }
 
 Error wrong_light(const std::string& name, const char* what) {
   return Error{fmt::format("light \"{}\": {}", name, what)};

@@ -13,12 +13,6 @@
 
 namespace openltc::light {
 
-namespace {
-
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
-} // namespace
-
 std::span<const Vec3f> ring_vertices(const PolygonLight& light, std::size_t ring) {
   const std::size_t begin = ring == 0 ? 0 : light.ring_end[ring - 1];
   return std::span<const Vec3f>(light.vertices).subspan(begin, light.ring_end[ring] - begin);

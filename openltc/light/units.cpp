@@ -24,7 +24,7 @@ namespace {
 
 constexpr double k_pi = std::numbers::pi;
 
-double length_of(Vec3f v) { return length(Vec3d(double(v.x), double(v.y), double(v.z))); }
+double length_of(Vec3f v) { return length(to_double(v)); }
 
 Error wrong(const char* quantity, double value, const char* what) {
   return Error{fmt::format("{} {} {}", quantity, value, what)};

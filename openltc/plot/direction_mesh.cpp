@@ -19,8 +19,6 @@ namespace openltc::plot {
 
 namespace {
 
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
 struct Axis {
   Vec3d q, e; // the axis and, in the plane of symmetry, what is perpendicular to it
   double k;   // M^-1 q = k z
@@ -70,10 +68,7 @@ std::vector<double> spread_rings(const f64::Lobe& lobe, const Axis& axis, Vec3d 
 
 void add_normals(scene::Mesh& mesh) {
   std::vector<Vec3d> sums(mesh.positions.size());
-  const auto at = [&](std::uint32_t i) {
-    const Vec3f p = mesh.positions[i];
-    return Vec3d(double(p.x), double(p.y), double(p.z));
-  };
+  const auto at = [&](std::uint32_t i) { return to_double(mesh.positions[i]); };
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3d normal = cross(at(b) - at(a), at(c) - at(a));
     for (const std::uint32_t i : {a, b, c})

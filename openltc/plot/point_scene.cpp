@@ -153,12 +153,11 @@ scene::Scene make_point_scene(const PointSetup& setup, const PointView& view, do
 }
 
 scene::Camera make_point_camera(const PointSetup& setup, const PointView& view) {
-  const auto single = [](Vec3d v) { return Vec3f(float(v.x), float(v.y), float(v.z)); };
   scene::Camera camera;
-  camera.position = single(place(setup).camera);
-  camera.forward = single(forward_of(setup));
+  camera.position = to_float(place(setup).camera);
+  camera.forward = to_float(forward_of(setup));
   camera.right = {1, 0, 0};
-  camera.up = single(up_of(setup));
+  camera.up = to_float(up_of(setup));
   camera.fov_y_rad = float(2 * std::atan(view.tan_half_height));
   return camera;
 }

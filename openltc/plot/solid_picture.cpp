@@ -20,8 +20,6 @@ namespace openltc::plot {
 
 namespace {
 
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
 struct SoftBox {
   double right, up, towards; // where it stands, seen by the viewer
   double half_side;

@@ -9,12 +9,6 @@
 
 namespace openltc::plot {
 
-namespace {
-
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
-} // namespace
-
 View view_from(double azimuth_degrees, double elevation_degrees, double half_width,
                double half_height) {
   const double a = azimuth_degrees * std::numbers::pi / 180;

@@ -16,8 +16,6 @@ namespace openltc::render {
 
 namespace {
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 constexpr float k_pi = std::numbers::pi_v<float>;
 
 Vec3f minimum(Vec3f a, Vec3f b) {
@@ -164,8 +162,6 @@ LightExtent united(const LightExtent& a, const LightExtent& b) {
 double power_of(const FarLight& far) {
   return double(length(far.moment[0]) + length(far.moment[1]) + length(far.moment[2]));
 }
-
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 /// The far form of lights that have one each, of which the first moments vanish about their own
 /// centres.

@@ -15,8 +15,6 @@ namespace {
 // Corners and radii that differ by less, relative to the light's size, do so by rounding.
 constexpr double k_rounding = 1e-4;
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 // What keeps any light from being one; empty when nothing does.
 std::string obstacle(const light::Emitter& light) {
   if (light.texture >= 0) return "a textured light";

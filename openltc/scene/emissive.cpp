@@ -37,9 +37,6 @@ constexpr std::size_t k_many_lights = 256;
 // The facets of a curved surface show little of the texture each: beyond this many, its mean does.
 constexpr std::size_t k_max_pictures = 32;
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
 // Triangles of one plane, all counter-clockwise about the plane's normal.
 struct Plane {
   std::vector<Triangle> triangles;

@@ -19,9 +19,6 @@ namespace {
 constexpr double k_tolerance = 1e-3; // of the picture
 constexpr double k_texel_tolerance = 0.25;
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
 struct Corner {
   Vec3d p;
   Vec2d uv;

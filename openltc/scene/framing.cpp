@@ -19,9 +19,6 @@ constexpr double k_margin = 1.08; // empty rim around the scene
 // Depth over width from which a scene is no chart any more and gets the full three-quarter view.
 constexpr double k_solid_depth = 0.3;
 
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 // The extents of points in a view, each widened by the view's opening at the point's depth.
 struct Extent {
   Vec3d right, up, back; // of the camera

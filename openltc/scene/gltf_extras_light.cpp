@@ -38,8 +38,6 @@ namespace openltc::scene::gltf {
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
-
 enum class Quantity { luminance_nits, flux_lumens, intensity_candela, illuminance_lux };
 constexpr const char* k_quantities[] = {"luminance_nits", "flux_lumens", "intensity_candela",
                                         "illuminance_lux"};
@@ -186,8 +184,8 @@ private:
                   fmt::format("{} is wider than the outer cone of {}", inner, outer));
       const bool is_open = has_profile && !p_.has("outer_cone_degrees");
       if (is_open) light.type = light::PunctualType::point;
-      light.cos_inner = float(std::cos(inner * k_pi / 180));
-      light.cos_outer = float(std::cos(outer * k_pi / 180));
+      light.cos_inner = float(std::cos(inner * std::numbers::pi / 180));
+      light.cos_outer = float(std::cos(outer * std::numbers::pi / 180));
     }
     if (!is_far) light.range = float(p_.not_negative("range", 0));
     const bool is_given = p_.has("intensity_candela") || p_.has("flux_lumens");

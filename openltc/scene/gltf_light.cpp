@@ -26,8 +26,6 @@ namespace openltc::scene::gltf {
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
-
 double not_negative(double value, const std::string& field, Document& document) {
   if (value >= 0) return value;
   document.warnings.add(fmt::format("{}: {} is negative; 0 is used", field, value));
@@ -62,12 +60,12 @@ light::PunctualLight read_punctual_light(Document& document, int index, const Tr
   to.range = float(not_negative(from.range, field + ".range", document));
   if (to.type == light::PunctualType::spot) {
     double inner = from.spot.innerConeAngle, outer = from.spot.outerConeAngle;
-    if (!(outer > 0) || outer > k_pi / 2 || inner < 0 || inner > outer) {
+    if (!(outer > 0) || outer > std::numbers::pi / 2 || inner < 0 || inner > outer) {
       document.warnings.add(
           fmt::format("{}.spot: the cone angles {} and {} are not 0 <= inner <= outer <= "
                       "pi/2; the nearest usable ones are used",
                       field, inner, outer));
-      outer = std::clamp(outer, 1e-3, k_pi / 2);
+      outer = std::clamp(outer, 1e-3, std::numbers::pi / 2);
       inner = std::clamp(inner, 0.0, outer);
     }
     to.cos_inner = float(std::cos(inner));
@@ -153,7 +151,7 @@ Camera read_camera(Document& document, int index, const Transform& to_world,
       fail(field + ".orthographic.zfar", "must be greater than znear");
   } else {
     const auto& perspective = from.perspective;
-    if (!(perspective.yfov > 0) || !(perspective.yfov < k_pi))
+    if (!(perspective.yfov > 0) || !(perspective.yfov < std::numbers::pi))
       fail(field + ".perspective.yfov",
            fmt::format("{} is not an angle between 0 and pi", perspective.yfov));
     to.fov_y_rad = float(perspective.yfov);

@@ -71,9 +71,6 @@ Transform local_transform(const tinygltf::Node& node, const std::string& field,
   return t;
 }
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
 // Moves `mesh` into the world; a mirroring transform turns the triangles' winding over.
 void apply_transform(Mesh& mesh, const Transform& to_world, const std::string& field) {
   const bool mirrors = to_world.determinant() < 0;

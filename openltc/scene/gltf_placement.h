@@ -29,8 +29,6 @@ struct Placement {
 /// warning when the node has no direction, a Failure when it lies outside the range of numbers.
 Placement placement_of(const Transform& to_world, const std::string& what, Document& document);
 
-Vec3f to_float(Vec3d v);
-
 /// The first of these names that is not empty.
 std::string first_of(const std::string& a, const std::string& b, const std::string& c);
 

@@ -10,8 +10,6 @@ namespace openltc::scene {
 
 namespace {
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 double height(Vec3d offset, Vec3d normal, bool two_sided) {
   const double h = dot(offset, normal);
   return two_sided ? std::abs(h) : std::max(h, 0.0);

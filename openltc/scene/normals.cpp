@@ -12,8 +12,6 @@ namespace openltc::scene {
 
 namespace {
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 // Twice the area times the unit normal.
 Vec3d area_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   const Vec3d a = to_double(mesh.positions[triangle[0]]);

@@ -17,7 +17,6 @@ namespace openltc::scene {
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
 // Facets lean by this much at most, towards the axis or away from it (6 degrees).
 constexpr double k_lean = 0.1;
 constexpr std::size_t k_most_axes = 6;
@@ -122,7 +121,7 @@ std::optional<light::TubeLight> along_axis(const Island& island, Vec3d first_axi
   if (!center || !(height > 0)) return {};
 
   // 2 pi r h = area of the side, or 2 pi r h + 2 pi r^2 = area with the ends.
-  const double share = area_of(island) / (2 * k_pi);
+  const double share = area_of(island) / (2 * std::numbers::pi);
   const bool is_closed = !parts->ends.empty();
   const double radius =
       is_closed ? std::sqrt(height * height / 4 + share) - height / 2 : share / height;
@@ -160,7 +159,7 @@ std::optional<light::TubeLight> along_axis(const Island& island, Vec3d first_axi
     }
   }
   if (is_closed) {
-    const double circle_area = k_pi * radius * radius;
+    const double circle_area = std::numbers::pi * radius * radius;
     for (const double area : end_area)
       if (!(std::abs(area - circle_area) <= 8 * island.tolerance * circle_area)) return {};
   }
@@ -175,8 +174,7 @@ std::optional<light::TubeLight> along_axis(const Island& island, Vec3d first_axi
   }
 
   const auto to_world = [&](double t) {
-    const Vec3d p = x * center->x + y * center->y + axis * t;
-    return Vec3f(float(p.x), float(p.y), float(p.z));
+    return to_float(x * center->x + y * center->y + axis * t);
   };
   light::TubeLight light;
   light.from = to_world(low);

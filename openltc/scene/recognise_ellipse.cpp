@@ -109,7 +109,6 @@ std::optional<light::EllipseLight> recognise_ellipse(const Island& island, doubl
     if (!is_near(p) || !is_near((p + next) * 0.5)) return {};
   }
 
-  const auto to_float = [](Vec3d v) { return Vec3f(float(v.x), float(v.y), float(v.z)); };
   light::EllipseLight light;
   light.center = to_float(center + x * cx + y * cy);
   light.half_u = to_float((x * cosine + y * sine) * a);

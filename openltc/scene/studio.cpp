@@ -45,9 +45,6 @@ double irradiance_per_radiance(double a, double b, double d) {
   return 2 * (a / da * std::atan(b / da) + b / db * std::atan(a / db));
 }
 
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 double luminance(Vec3f rgb) {
   return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
 }

@@ -25,8 +25,6 @@ namespace openltc::scene {
 
 namespace {
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 // The bits of what makes two corners one.
 struct CornerKey {
   std::array<std::uint32_t, 9> bits;

@@ -15,8 +15,6 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 } // namespace
 
 Extent extent_of(const Mesh& mesh, double weld, double plane) {

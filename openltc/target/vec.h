@@ -71,6 +71,9 @@ using Vec2d = Vec2T<double>;
 using Vec3d = Vec3T<double>;
 using Vec4d = Vec4T<double>;
 
+inline Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
+inline Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
+
 inline float length(Vec3f a) { return std::sqrt(dot(a, a)); }
 inline double length(Vec3d a) { return std::sqrt(dot(a, a)); }
 inline Vec3f normalize(Vec3f a) { return a / length(a); }

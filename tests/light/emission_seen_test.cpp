@@ -34,8 +34,6 @@ private:
   std::mt19937 generator_{11};
 };
 
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
 constexpr int k_side = 128;
 constexpr int k_pictures = 4;
 

@@ -199,8 +199,7 @@ TEST_CASE("shading_interpolates_as_the_file_does") {
     const double exact =
         largest_difference(profile, [&](Vec3d d) { return f64::eval_profile(profile.view(), d); });
     const double single = largest_difference(profile, [&](Vec3d d) {
-      return double(
-          f32::eval_profile(profile.view(), Vec3f(float(d.x), float(d.y), float(d.z)) * 3.0f));
+      return double(f32::eval_profile(profile.view(), to_float(d) * 3.0f));
     });
     MESSAGE(profile.version << ": grid " << profile.grid_columns << " x " << profile.grid_rows
                             << ", error of the maximum: double " << exact << ", float " << single);

@@ -28,10 +28,6 @@ struct Frame {
   Vec3d origin{0, 0, 0}, u{1, 0, 0}, v{0, 1, 0};
 };
 
-Vec3d to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
 PolygonLight make_light(const std::vector<Ring>& rings, const Frame& frame = {}) {
   PolygonLight light;
   light.radiance = Vec3f(1, 2, 3);

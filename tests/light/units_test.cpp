@@ -34,8 +34,6 @@ struct Patch {
 };
 using Patches = std::vector<Patch>;
 
-Vec3d wide(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 // A sphere's upper part, z >= z0, about `axis`: rings of equal area.
 void add_cap(Patches& patches, Vec3d axis, double radius, double z0) {
   const Vec3d u = normalize(cross(axis, Vec3d(0.3, -0.5, 0.8))), v = cross(axis, u);
@@ -57,7 +55,7 @@ Patches patches_of(const SphereLight& light) {
 
 Patches patches_of(const EllipseLight& light) {
   // Squares of a fine grid over the square around the ellipse, those whose middle is inside.
-  const Vec3d n = cross(wide(light.half_u), wide(light.half_v));
+  const Vec3d n = cross(to_double(light.half_u), to_double(light.half_v));
   constexpr int cells = 1000;
   Patches patches;
   for (int j = 0; j < cells; ++j)
@@ -69,7 +67,7 @@ Patches patches_of(const EllipseLight& light) {
 }
 
 Patches patches_of(const TubeLight& light) {
-  const Vec3d along = wide(light.to) - wide(light.from), axis = normalize(along);
+  const Vec3d along = to_double(light.to) - to_double(light.from), axis = normalize(along);
   const Vec3d u = normalize(cross(axis, Vec3d(0.3, -0.5, 0.8))), v = cross(axis, u);
   const double r = double(light.radius);
   Patches patches;
@@ -94,7 +92,7 @@ PolygonLight bent_polygon() {
   return light;
 }
 
-Patches patches_of(const PolygonLight& light) { return Patches(3, {wide(light.normal), 1}); }
+Patches patches_of(const PolygonLight& light) { return Patches(3, {to_double(light.normal), 1}); }
 
 // Flux of a patch of radiance 1: its emission over the hemisphere, ring by ring.
 double summed_flux(const Patches& patches, double power) {

@@ -86,7 +86,7 @@ TEST_CASE("the lobe's surface lies at the density over the scale") {
   const scene::Mesh mesh = lobe_mesh(lobe, 2.0, [](Vec3d) { return Vec3f(1.0f); });
   double farthest = 0;
   for (const Vec3f& p : mesh.positions) {
-    const Vec3d point{double(p.x), double(p.y), double(p.z)};
+    const Vec3d point = to_double(p);
     const double r = length(point);
     farthest = std::max(farthest, r);
     if (r < 1e-3) continue;

@@ -79,16 +79,14 @@ std::vector<render::SurfacePoint> random_points(Random& random) {
   return points;
 }
 
-f64::Vec3 wide(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
-
 f64::Surface surface_f64(const render::SurfacePoint& p) {
-  const f64::Vec3 normal = normalize(wide(p.normal)), view = normalize(wide(p.view));
+  const f64::Vec3 normal = normalize(to_double(p.normal)), view = normalize(to_double(p.view));
   const double f90 = double(p.f90);
   return f64::make_surface(f64::fetch_lobe(table::builtin_ggx_table().view(),
                                            f64::alpha_from_roughness(double(p.roughness)),
                                            dot(normal, view)),
-                           wide(p.position), normal, view, wide(p.albedo), wide(p.f0),
-                           {f90, f90, f90}, double(p.roughness));
+                           to_double(p.position), normal, view, to_double(p.albedo),
+                           to_double(p.f0), {f90, f90, f90}, double(p.roughness));
 }
 
 /// What a point reflects of polygon lights, in double precision.
@@ -96,17 +94,18 @@ f64::Vec3 reflected(const f64::Surface& s, const std::vector<light::PackedPolygo
                     const std::vector<light::PolygonLight>& sources) {
   f64::Vec3 sum(0.0);
   for (std::size_t i = 0; i < lights.size(); ++i)
-    sum += f64::shade_polygon(s, lights[i].view) * wide(sources[i].radiance);
+    sum += f64::shade_polygon(s, lights[i].view) * to_double(sources[i].radiance);
   return sum;
 }
 
 /// The far form in double precision, written anew.
 f64::Vec3 far_reflected(const f64::Surface& s, const render::FarLight& far, bool specular) {
-  const f64::Vec3 d = wide(far.center) - s.position, wi = f64::to_shading(s.frame, normalize(d));
+  const f64::Vec3 d = to_double(far.center) - s.position,
+                  wi = f64::to_shading(s.frame, normalize(d));
   const double r2 = dot(d, d);
-  const f64::Vec3 flux(std::max(-dot(d, wide(far.moment[0])), 0.0),
-                       std::max(-dot(d, wide(far.moment[1])), 0.0),
-                       std::max(-dot(d, wide(far.moment[2])), 0.0));
+  const f64::Vec3 flux(std::max(-dot(d, to_double(far.moment[0])), 0.0),
+                       std::max(-dot(d, to_double(far.moment[1])), 0.0),
+                       std::max(-dot(d, to_double(far.moment[2])), 0.0));
   f64::Vec3 brdf = s.diffuse * f64::eval_lambert(wi);
   if (specular && wi.z > 0)
     brdf += (s.f0 + (s.f90 - s.f0) * f64::fresnel_weight(s.wo, wi)) *

@@ -22,7 +22,7 @@ constexpr std::size_t k_rays = 8 * render::RayPacket::k_size;
 
 using Point = std::array<double, 3>;
 
-Point to_double(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
+Point point_of(Vec3f v) { return {double(v.x), double(v.y), double(v.z)}; }
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 // Six times the volume of the tetrahedron o a b c.
 double volume(const Point& o, const Point& a, const Point& b, const Point& c) {
@@ -57,8 +57,8 @@ scene::Scene slivers(std::mt19937& random) {
 int crossings(const scene::Mesh& mesh, const Point& a, const Point& b) {
   int count = 0;
   for (const auto& t : mesh.triangles) {
-    const Point p = to_double(mesh.positions[t[0]]), q = to_double(mesh.positions[t[1]]),
-                r = to_double(mesh.positions[t[2]]);
+    const Point p = point_of(mesh.positions[t[0]]), q = point_of(mesh.positions[t[1]]),
+                r = point_of(mesh.positions[t[2]]);
     double sides[3] = {volume(a, b, p, q), volume(a, b, q, r), volume(a, b, r, p)};
     double ends[2] = {volume(a, p, q, r), -volume(b, p, q, r)};
     if (sides[0] + sides[1] + sides[2] < 0)

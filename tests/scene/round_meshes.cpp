@@ -12,8 +12,6 @@ namespace {
 
 constexpr double k_pi = std::numbers::pi;
 
-Vec3f to_float(Vec3d v) { return {float(v.x), float(v.y), float(v.z)}; }
-
 scene::Mesh finished(scene::Mesh mesh) {
   mesh.name = "lamp";
   mesh.normals.assign(mesh.positions.size(), Vec3f(0, 0, 1)); // shading normals do not matter

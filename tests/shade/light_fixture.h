@@ -66,7 +66,4 @@ f64::LightIntegral evaluate_precise(const LightCase& light, const CaseView& view
 /// Another surface point and roughness before the same light, for lanes that share a polygon.
 LightCase elsewhere(const LightCase& light, bool adversarial, Random& random);
 
-inline Vec3d to_double(Vec3f v) { return Vec3d(double(v.x), double(v.y), double(v.z)); }
-inline Vec3f to_float(Vec3d v) { return Vec3f(float(v.x), float(v.y), float(v.z)); }
-
 } // namespace openltc::testing

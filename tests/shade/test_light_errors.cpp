@@ -29,8 +29,8 @@ TEST_CASE("in double every shape's integral is exact") {
       const LightCase light = testing::error_case(shape, i);
       testing::CaseView view = testing::view_of(light);
       // Orthonormal in double as well, or a sphere would not stay one.
-      view.frame = f64::shading_frame(normalize(testing::to_double(light.normal)),
-                                      normalize(testing::to_double(light.wo)));
+      view.frame =
+          f64::shading_frame(normalize(to_double(light.normal)), normalize(to_double(light.wo)));
       const f64::LightIntegral integral = testing::evaluate_precise(light, view);
       const double diffuse = testing::contour_integral(light, view, f64::cosine_lobe()).z;
       const double specular = testing::contour_integral(light, view, view.lobe).z;
@@ -109,10 +109,10 @@ TEST_CASE("directions point to the mean of the light that counts") {
       CAPTURE(k);
       CAPTURE(i);
       if (diffuse.z > 1e-3)
-        CHECK(length(testing::to_double(answer.diffuse_direction) - normalize(diffuse)) < 1e-3);
+        CHECK(length(to_double(answer.diffuse_direction) - normalize(diffuse)) < 1e-3);
       if (specular.z > 1e-3) {
         const Vec3d mean = normalize(f64::from_cosine(view.lobe, specular));
-        CHECK(length(testing::to_double(answer.specular_direction) - mean) < 1e-3);
+        CHECK(length(to_double(answer.specular_direction) - mean) < 1e-3);
         ++compared;
       }
     }

@@ -20,8 +20,6 @@ using testing::CaseAnswer;
 using testing::LightCase;
 using testing::LightShape;
 using testing::Random;
-using testing::to_double;
-using testing::to_float;
 
 namespace {
 

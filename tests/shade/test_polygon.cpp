@@ -22,7 +22,6 @@ using testing::Ring;
 using testing::Setting;
 using testing::shape;
 using testing::TestPolygon;
-using testing::to_float;
 
 TEST_CASE("polygon integrals equal brute-force quadrature, both horizons honoured") {
   Random random(1);

@@ -23,9 +23,6 @@ using testing::TestPolygon;
 
 namespace {
 
-Vec3f to_float(Vec3d v) { return Vec3f(float(v.x), float(v.y), float(v.z)); }
-Vec3d to_double(Vec3f v) { return Vec3d(double(v.x), double(v.y), double(v.z)); }
-
 f32::Frame to_float(const f64::Frame& f) { return {to_float(f.t1), to_float(f.t2), to_float(f.n)}; }
 f64::Frame to_double(const f32::Frame& f) {
   return {to_double(f.t1), to_double(f.t2), to_double(f.n)};
