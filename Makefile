@@ -9,10 +9,10 @@ FUZZ_SECONDS ?= 60
 FUZZ_LIGHTS ?= 10000000
 # The release build prefers Clang, whose quads in lanes are a fifth faster (docs/decisions.md, 36);
 # `make CXX=g++` chooses. The first that finds the standard library, asked when it is needed, after the
-# set-up.
+# set-up. `true`, since make takes the 127 of a missing compiler for a missing shell.
 clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++-18; do \
   printf '\043include <vector>\n' | $$cxx -std=c++20 -x c++ -fsyntax-only - 2>/dev/null && \
-  command -v $$cxx; done))
+  command -v $$cxx; done; true))
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 sources = $(shell git ls-files '*.h' '*.cpp')
