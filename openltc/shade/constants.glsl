@@ -21,6 +21,10 @@ CONSTANT k_plane_rounding = 2.5e-7;
 /// ten units in the last place of single precision.
 CONSTANT k_position_rounding = 6.0e-7;
 
+/// Length of the difference of two unit normals up to which they are the same: some ten units in the
+/// last place of single precision.
+CONSTANT k_normal_rounding = 1.0e-6;
+
 /// Least share of a lobe above the horizon that its amplitude is divided by. Fitted lobes have 0.7
 /// and more there; a lobe of a damaged table must not magnify rounding.
 CONSTANT k_min_share = 0.01;

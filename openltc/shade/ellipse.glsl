@@ -12,17 +12,37 @@ struct Ellipse {
   Real two_sided; // 0 or 1
 };
 
-/// Integrals over an ellipse seen from `position` (world space), for Lambert and for `lobe`. Zero
-/// behind a one-sided ellipse and in the plane of any.
-FN LightIntegral integrate_ellipse(Ellipse ellipse, Vec3 position, Frame frame, Lobe lobe) {
+/// 2 pi times the vector irradiances of the cone of directions to a flat ellipse, all in shading
+/// space; where `cut`, of its part in front of the plane with unit normal `front`.
+struct ConeSums {
+  Vec3 diffuse;
+  Vec3 specular;
+};
+
+FN ConeSums sum_ellipse_cone(Vec3 center, Vec3 u, Vec3 v, Lobe lobe, Vec3 front, bool cut) {
+  Vec3 up = Vec3(Real(0.0), Real(0.0), Real(1.0));
+  Vec3 up_o = horizon_normal_cosine(lobe);
+  Cone cone = make_cone(center, u, v);
+  Cone cone_o = make_cone(to_cosine(lobe, center), to_cosine(lobe, u), to_cosine(lobe, v));
+  ConeSums sums;
+  if (cut) {
+    sums.diffuse = clipped_cone_in_front(cone, up, front);
+    sums.specular = clipped_cone_in_front(cone_o, up_o, plane_normal_cosine(lobe, front));
+  } else {
+    sums.diffuse = clipped_cone(cone, up);
+    sums.specular = clipped_cone(cone_o, up_o);
+  }
+  return sums;
+}
+
+/// integrate_ellipse; where `cut`, over what is in front of the plane with unit normal `front`
+/// (shading space).
+FN LightIntegral integrate_ellipse_part(Ellipse ellipse, Vec3 position, Frame frame, Lobe lobe,
+                                        Vec3 front, bool cut) {
   Vec3 center = to_shading(frame, ellipse.center - position);
   Vec3 u = to_shading(frame, ellipse.half_u);
   Vec3 v = to_shading(frame, ellipse.half_v);
-  Vec3 up = Vec3(Real(0.0), Real(0.0), Real(1.0));
-  Vec3 diffuse = clipped_cone(make_cone(center, u, v), up);
-  Vec3 specular =
-      clipped_cone(make_cone(to_cosine(lobe, center), to_cosine(lobe, u), to_cosine(lobe, v)),
-                   horizon_normal_cosine(lobe));
+  ConeSums sums = sum_ellipse_cone(center, u, v, lobe, front, cut);
   Vec3 normal = cross(u, v);
   Real h = dot(center, normal) * inversesqrt(max(dot(normal, normal), Real(k_tiny)));
   Real side = select(h < Real(0.0), Real(1.0), ellipse.two_sided);
@@ -30,7 +50,25 @@ FN LightIntegral integrate_ellipse(Ellipse ellipse, Vec3 position, Frame frame, 
   // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
   Real reach = sqrt(u.z * u.z + v.z * v.z);
   side = select(center.z + reach > Real(0.0), side, Real(0.0));
-  return light_integral(diffuse * side, specular * side, lobe);
+  return light_integral(sums.diffuse * side, sums.specular * side, lobe);
+}
+
+/// Integrals over an ellipse seen from `position` (world space), for Lambert and for `lobe`. Zero
+/// behind a one-sided ellipse and in the plane of any.
+FN LightIntegral integrate_ellipse(Ellipse ellipse, Vec3 position, Frame frame, Lobe lobe) {
+  return integrate_ellipse_part(ellipse, position, frame, lobe,
+                                Vec3(Real(0.0), Real(0.0), Real(1.0)), false);
+}
+
+FN Heights ellipse_heights(Ellipse ellipse, Vec3 position, Vec3 normal) {
+  Real middle = dot(normal, ellipse.center - position);
+  Real u = dot(normal, ellipse.half_u);
+  Real v = dot(normal, ellipse.half_v);
+  Real reach = sqrt(u * u + v * v);
+  Heights heights;
+  heights.low = middle - reach;
+  heights.high = middle + reach;
+  return heights;
 }
 
 /// Where a ray from `position` along the unit `direction` meets the ellipse. The density is that of

@@ -92,12 +92,18 @@ FN EmissionOverlap emission_overlap(Real center, Real half_length, Real end) {
   return result;
 }
 
+/// The share of a cell above a plane: `height` of its middle, `rise` from side to side.
+FN Real emission_share_above(Real height, Real rise) {
+  return min(max(Real(0.5) + height / max(rise, Real(k_tiny)), Real(0.0)), Real(1.0));
+}
+
 /// Mean of the picture over the light, weighted by `lobe` and clipped to both horizons, as seen
 /// from `position` (world space). `mean_direction` (shading space, unit) is that of the light's
 /// closed form for the same lobe: LightIntegral.diffuse_direction or specular_direction. It only
 /// places the cells. Times the light's radiance, this is what the lobe's integral is multiplied by.
-FN_CALL Vec3 emission_seen(EmissionTexture emission, Vec3 position, Frame frame, Lobe lobe,
-                      Vec3 mean_direction) {
+/// Where `cut`, the mean over what is in front of the plane with unit normal `front` (shading space).
+FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame frame, Lobe lobe,
+                                Vec3 mean_direction, Vec3 front, bool cut) {
   Vec2 extent = emission_extent(emission);
   Vec3 axis_u = to_shading(frame, emission_axis_u(emission));
   Vec3 axis_v = to_shading(frame, emission_axis_v(emission));
@@ -170,6 +176,14 @@ FN_CALL Vec3 emission_seen(EmissionTexture emission, Vec3 position, Frame frame,
                  inv_u * inv_v;
   Real narrow_rise = abs(axis_u.z * c + axis_v.z * s);
   Real wide_rise = abs(axis_v.z * c - axis_u.z * s);
+  Real narrow_front = Real(0.0);
+  Real wide_front = Real(0.0);
+  if (cut) {
+    Real front_u = dot(front, axis_u);
+    Real front_v = dot(front, axis_v);
+    narrow_front = abs(front_u * c + front_v * s);
+    wide_front = abs(front_v * c - front_u * s);
+  }
   Real inv_m = sqrt(inv_m2);
   Vec4 sum = emission_texel(emission, Vec2(Real(0.5), Real(0.5)), Real(99.0)) * Real(1.0e-25);
   for (int i = 0; i < k_emission_narrow_cells; ++i) {
@@ -189,8 +203,12 @@ FN_CALL Vec3 emission_seen(EmissionTexture emission, Vec3 position, Frame frame,
       Vec3 x = corner + axis_u * in_u.center + axis_v * in_v.center;
       Vec3 p = to_cosine(lobe, x) * inv_m;
       Real inv_p2 = Real(1.0) / max(dot(p, p), Real(k_tiny));
-      Real rise = max(narrow_rise * narrow.side + wide_rise * wide.side, Real(k_tiny));
-      Real above = min(max(Real(0.5) + x.z / rise, Real(0.0)), Real(1.0));
+      Real above =
+          emission_share_above(x.z, narrow_rise * narrow.side + wide_rise * wide.side);
+      if (cut) {
+        above = above * emission_share_above(
+                            dot(front, x), narrow_front * narrow.side + wide_front * wide.side);
+      }
       Real weight = max(p.z, Real(0.0)) * inv_p2 * inv_p2 * above * in_u.share * in_v.share *
                     narrow.measure * wide.measure;
       Real level =
@@ -201,4 +219,10 @@ FN_CALL Vec3 emission_seen(EmissionTexture emission, Vec3 position, Frame frame,
   }
   Real inv_share = Real(1.0) / max(sum.w, Real(k_tiny));
   return Vec3(sum.x * inv_share, sum.y * inv_share, sum.z * inv_share);
+}
+
+FN Vec3 emission_seen(EmissionTexture emission, Vec3 position, Frame frame, Lobe lobe,
+                      Vec3 mean_direction) {
+  return emission_seen_part(emission, position, frame, lobe, mean_direction,
+                            Vec3(Real(0.0), Real(0.0), Real(1.0)), false);
 }

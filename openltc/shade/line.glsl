@@ -58,11 +58,8 @@ FN_CALL Vec3 sum_line(Vec3 a, Vec3 b, Lobe lobe) {
   return clipped_line_term(a_o, b_o, a.z, b.z) * (lobe.det * sqrt(ratio2));
 }
 
-/// Integrals over a line seen from `position` (world space), per metre of its width: without an
-/// upper bound.
-FN LightIntegral integrate_line(Line line, Vec3 position, Frame frame, Lobe lobe) {
-  Vec3 a = to_shading(frame, line.from - position);
-  Vec3 b = to_shading(frame, line.to - position);
+/// Integrals over the segment from a to b, shading space; see integrate_line.
+FN LightIntegral integrate_segment(Vec3 a, Vec3 b, Lobe lobe) {
   Vec3 diffuse = sum_line(a, b, cosine_lobe());
   Vec3 specular = sum_line(a, b, lobe);
   LightIntegral result;
@@ -71,6 +68,33 @@ FN LightIntegral integrate_line(Line line, Vec3 position, Frame frame, Lobe lobe
   result.diffuse_direction = safe_direction(diffuse);
   result.specular_direction = safe_direction(from_cosine(lobe, safe_direction(specular)));
   return result;
+}
+
+/// Integrals over a line seen from `position` (world space), per metre of its width: without an
+/// upper bound.
+FN LightIntegral integrate_line(Line line, Vec3 position, Frame frame, Lobe lobe) {
+  return integrate_segment(to_shading(frame, line.from - position),
+                           to_shading(frame, line.to - position), lobe);
+}
+
+/// The same over what is in front of the plane with unit normal `front` (shading space).
+FN LightIntegral integrate_line_in_front(Line line, Vec3 position, Frame frame, Lobe lobe,
+                                         Vec3 front) {
+  FrontSegment part = segment_in_front(to_shading(frame, line.from - position),
+                                       to_shading(frame, line.to - position), front);
+  LightIntegral integral = integrate_segment(part.a, part.b, lobe);
+  integral.diffuse = select(part.some, integral.diffuse, Real(0.0));
+  integral.specular = select(part.some, integral.specular, Real(0.0));
+  return integral;
+}
+
+FN Heights line_heights(Line line, Vec3 position, Vec3 normal) {
+  Real from = dot(normal, line.from - position);
+  Real to = dot(normal, line.to - position);
+  Heights heights;
+  heights.low = min(from, to);
+  heights.high = max(from, to);
+  return heights;
 }
 
 /// A point of the line, evenly distributed over the angle that it spans at `position`, from a number

@@ -87,6 +87,67 @@ FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Re
   return sums;
 }
 
+/// Where the edge from a to b crosses a plane; heights: of its ends over that.
+FN Corner corner_between(Corner a, Corner b, Real a_height, Real b_height, Lobe lobe) {
+  Real t = abs(a_height) * reciprocal(max(abs(a_height) + abs(b_height), Real(k_tiny)));
+  Corner cut;
+  cut.p = a.p + (b.p - a.p) * t;
+  cut.o = to_cosine(lobe, cut.p);
+  cut.inv_p = inverse_length(cut.p);
+  cut.inv_o = inverse_length(cut.o);
+  return cut;
+}
+
+FN Corner select_corner(Mask m, Corner a, Corner b) {
+  Corner corner;
+  corner.p = select(m, a.p, b.p);
+  corner.o = select(m, a.o, b.o);
+  corner.inv_p = select(m, a.inv_p, b.inv_p);
+  corner.inv_o = select(m, a.inv_o, b.inv_o);
+  return corner;
+}
+
+/// sum_edges of the polygon's part in front of the plane with unit normal `front` (shading space).
+/// Where an edge crosses it, an edge along it leads to the first such crossing; see front.glsl.
+FN_CALL EdgeSums sum_edges_in_front(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h,
+                                    Vec3 front) {
+  Real s = apex_side(dot(frame.t2, polygon_normal(polygon)), h);
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  EdgeSums sums;
+  sums.diffuse = none;
+  sums.specular = none;
+  Corner a = corner_seen(polygon, 0, position, frame, lobe);
+  Corner q = a;
+  Mask found = Real(1.0) < Real(0.0);
+  int count = polygon_point_count(polygon);
+  for (int i = 1; i < count; ++i) {
+    Corner b = corner_seen(polygon, i, position, frame, lobe);
+    if (!polygon_starts_ring(polygon, i)) {
+      Real a_height = dot(front, a.p);
+      Real b_height = dot(front, b.p);
+      Mask a_seen = a_height >= Real(0.0);
+      Mask b_seen = b_height >= Real(0.0);
+      if (any_lane(a_seen || b_seen)) {
+        Corner cut = corner_between(a, b, a_height, b_height, lobe);
+        Corner from = select_corner(a_seen, a, cut);
+        Corner to = select_corner(b_seen, b, cut);
+        sums.diffuse = sums.diffuse + select(a_seen || b_seen, diffuse_term(from, to, s), none);
+        sums.specular = sums.specular + select(a_seen || b_seen, specular_term(from, to, s), none);
+        Mask crosses = a_seen != b_seen;
+        if (any_lane(crosses)) {
+          q = select_corner(crosses && !found, cut, q);
+          found = found || crosses;
+          Real leaves = select(crosses, select(a_seen, Real(1.0), Real(-1.0)), Real(0.0));
+          sums.diffuse = sums.diffuse + diffuse_term(cut, q, s) * leaves;
+          sums.specular = sums.specular + specular_term(cut, q, s) * leaves;
+        }
+      }
+    }
+    a = b;
+  }
+  return sums;
+}
+
 /// The point where an edge crosses the surface's horizon.
 FN Corner horizon_corner(Corner a, Corner b, Lobe lobe) {
   Real t = abs(a.p.z) * reciprocal(max(abs(a.p.z) + abs(b.p.z), Real(k_tiny)));
@@ -234,14 +295,10 @@ FN Real polygon_exactness(Vec3 center, Real radius, Lobe lobe) {
   return select(above, exact, Real(1.0));
 }
 
-/// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
-/// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
-/// last digit asks has_side (surface.glsl) as well.
-///
-/// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
-/// is the integral; the direction is the mean direction of the part of the polygon that counts,
-/// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
-FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
+/// integrate_polygon; where `cut`, over what is in front of the plane with unit normal `front` (shading
+/// space).
+FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame frame, Lobe lobe,
+                                        Vec3 front, bool cut) {
   Vec3 normal = polygon_normal(polygon);
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real h = dot(to_origin, normal);
@@ -258,6 +315,11 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
     center = to_shading(frame, to_center);
     exact_diffuse = polygon_exactness(center, radius, cosine_lobe());
     exact_specular = polygon_exactness(center, radius, lobe);
+    if (cut) {
+      Mask in_front = dot(front, center) > radius;
+      exact_diffuse = select(in_front, exact_diffuse, Real(1.0));
+      exact_specular = select(in_front, exact_specular, Real(1.0));
+    }
   }
 
   EdgeSums sums;
@@ -266,8 +328,10 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   Mask lit = side != Real(0.0);
   if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
-    // Five points, the first of them twice, are one ring.
-    if (polygon_point_count(polygon) == 5) {
+    if (cut) {
+      sums = sum_edges_in_front(polygon, position, frame, lobe, h, front);
+    } else if (polygon_point_count(polygon) == 5) {
+      // Five points, the first of them twice, are one ring.
       sums = sum_quad_edges(polygon, position, frame, lobe, h);
     } else {
       sums = sum_edges(polygon, position, frame, lobe, h);
@@ -291,6 +355,37 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
                                sum_small_polygon(small, lobe) * (Real(1.0) - exact_specular), none);
   }
   return light_integral(sums.diffuse, sums.specular, lobe);
+}
+
+/// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
+/// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
+/// last digit asks has_side (surface.glsl) as well.
+///
+/// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
+/// is the integral; the direction is the mean direction of the part of the polygon that counts,
+/// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
+FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
+  return integrate_polygon_part(polygon, position, frame, lobe,
+                                Vec3(Real(0.0), Real(0.0), Real(1.0)), false);
+}
+
+/// The same over what is in front of the plane with unit normal `front` (shading space).
+FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position, Frame frame,
+                                                 Lobe lobe, Vec3 front) {
+  return integrate_polygon_part(polygon, position, frame, lobe, front, true);
+}
+
+FN_CALL Heights polygon_heights(Polygon polygon, Vec3 position, Vec3 normal) {
+  Heights heights;
+  heights.low = dot(normal, polygon_point(polygon, 0) - position);
+  heights.high = heights.low;
+  int count = polygon_point_count(polygon);
+  for (int i = 1; i < count; ++i) {
+    Real height = dot(normal, polygon_point(polygon, i) - position);
+    heights.low = min(heights.low, height);
+    heights.high = max(heights.high, height);
+  }
+  return heights;
 }
 
 /// Where a ray from `position` along the unit `direction` meets the polygon: the plane first, then

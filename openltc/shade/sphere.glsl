@@ -18,9 +18,10 @@ FN Real tangent_disk_radius(Real distance2, Real radius) {
   return distance * radius * inversesqrt(max(leg2, Real(k_tiny)));
 }
 
-/// Integrals over a sphere seen from `position` (world space), for Lambert and for `lobe`. Zero
-/// inside: it emits outwards.
-FN LightIntegral integrate_sphere(Sphere sphere, Vec3 position, Frame frame, Lobe lobe) {
+/// integrate_sphere; where `cut`, over what is in front of the plane with unit normal `front` (shading
+/// space).
+FN LightIntegral integrate_sphere_part(Sphere sphere, Vec3 position, Frame frame, Lobe lobe,
+                                       Vec3 front, bool cut) {
   Vec3 center = to_shading(frame, sphere.center - position);
   Real distance2 = dot(center, center);
   Vec3 axis = center * inversesqrt(max(distance2, Real(k_tiny)));
@@ -28,15 +29,26 @@ FN LightIntegral integrate_sphere(Sphere sphere, Vec3 position, Frame frame, Lob
   Vec3 u = any_perpendicular(axis);
   Vec3 v = cross(axis, u) * radius;
   u = u * radius;
-  Vec3 up = Vec3(Real(0.0), Real(0.0), Real(1.0));
-  Vec3 diffuse = clipped_cone(make_cone(center, u, v), up);
-  Vec3 specular =
-      clipped_cone(make_cone(to_cosine(lobe, center), to_cosine(lobe, u), to_cosine(lobe, v)),
-                   horizon_normal_cosine(lobe));
+  ConeSums sums = sum_ellipse_cone(center, u, v, lobe, front, cut);
   // Below the horizon it gives nothing, rounding or not.
   Mask seen = distance2 > sphere.radius * sphere.radius && center.z + sphere.radius > Real(0.0);
   Real outside = select(seen, Real(1.0), Real(0.0));
-  return light_integral(diffuse * outside, specular * outside, lobe);
+  return light_integral(sums.diffuse * outside, sums.specular * outside, lobe);
+}
+
+/// Integrals over a sphere seen from `position` (world space), for Lambert and for `lobe`. Zero
+/// inside: it emits outwards.
+FN LightIntegral integrate_sphere(Sphere sphere, Vec3 position, Frame frame, Lobe lobe) {
+  return integrate_sphere_part(sphere, position, frame, lobe,
+                               Vec3(Real(0.0), Real(0.0), Real(1.0)), false);
+}
+
+FN Heights sphere_heights(Sphere sphere, Vec3 position, Vec3 normal) {
+  Real middle = dot(normal, sphere.center - position);
+  Heights heights;
+  heights.low = middle - sphere.radius;
+  heights.high = middle + sphere.radius;
+  return heights;
 }
 
 /// The sphere's cone of directions from a point: what sampling and meeting it share.

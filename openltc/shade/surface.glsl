@@ -27,6 +27,10 @@ struct Surface {
   Vec3 specular; // F0 n1 + (F90 - F0) n5, the specular albedo
   Real axis_weight; // n5/n1 less Schlick's weight in the lobe's mean direction
   Real inv_share;   // 1 / share_above_horizon
+  Vec3 geometric;   // of the triangle, unit, world space, on the viewer's side; make_surface assumes
+                    // the shading normal
+  bool tilted;      // whether the two differ in any lane: then what lies behind the triangle's plane is
+                    // hidden by it
 };
 
 /// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
@@ -54,7 +58,106 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
   s.axis_weight = fitted.n5 * reciprocal(max(fitted.n1, Real(k_tiny))) - fresnel_weight(s.wo, mean);
   Real taken = max(max(s.specular.x, s.specular.y), s.specular.z);
   s.diffuse = albedo * max(Real(1.0) - taken, Real(0.0));
+  s.geometric = normal;
+  s.tilted = false;
   return s;
+}
+
+/// Makes known the normal of the triangle that the point is on: unit, world space, on the viewer's side.
+FN Surface set_geometric_normal(Surface s, Vec3 geometric) {
+  Vec3 d = geometric - s.frame.n;
+  s.geometric = geometric;
+  s.tilted = any_lane(dot(d, d) > Real(k_normal_rounding * k_normal_rounding));
+  return s;
+}
+
+/// Whether the triangle hides a point at `offset` from the shaded one, world space: it lies behind the
+/// triangle's plane, or in it as far as the shaded point is known. Nothing is hidden where the normals do
+/// not differ; there the horizon does it.
+FN Mask hidden_by_triangle(Surface s, Vec3 offset) {
+  if (!s.tilted) {
+    return Real(1.0) < Real(0.0);
+  }
+  Real height = dot(s.geometric, offset);
+  return height <= Real(0.0) || height * height <= s.position_error2;
+}
+
+/// An integral without what lanes have that see nothing of the light in front of the triangle's plane.
+FN LightIntegral unless_hidden(Surface s, Heights heights, LightIntegral integral) {
+  Mask seen = heights.high > Real(0.0) && heights.high * heights.high > s.position_error2;
+  integral.diffuse = select(seen, integral.diffuse, Real(0.0));
+  integral.specular = select(seen, integral.specular, Real(0.0));
+  return integral;
+}
+
+FN Vec3 front_shading(Surface s) { return to_shading(s.frame, s.geometric); }
+
+// Integrals over lights as a surface sees them: what the triangle hides is left out. Uniform shortcuts:
+// no lane's normals differ, or no lane's triangle reaches the light.
+
+FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
+  bool cut = false;
+  if (s.tilted) {
+    cut = any_lane(dot(s.geometric, polygon_centroid(polygon) - s.position) <
+                   polygon_radius(polygon));
+  }
+  Heights heights;
+  heights.low = Real(0.0);
+  heights.high = Real(0.0);
+  if (cut) {
+    heights = polygon_heights(polygon, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
+  if (!cut) {
+    return integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+  }
+  LightIntegral integral = integrate_polygon_in_front(polygon, s.position, s.frame, s.fitted.lobe,
+                                                      front_shading(s));
+  return unless_hidden(s, heights, integral);
+}
+
+FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
+  Heights heights = ellipse_heights(ellipse, s.position, s.geometric);
+  bool cut = s.tilted && any_lane(heights.low < Real(0.0));
+  LightIntegral integral = integrate_ellipse_part(ellipse, s.position, s.frame, s.fitted.lobe,
+                                                  front_shading(s), cut);
+  if (cut) {
+    return unless_hidden(s, heights, integral);
+  }
+  return integral;
+}
+
+FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
+  Heights heights = sphere_heights(sphere, s.position, s.geometric);
+  bool cut = s.tilted && any_lane(heights.low < Real(0.0));
+  LightIntegral integral = integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe,
+                                                 front_shading(s), cut);
+  if (cut) {
+    return unless_hidden(s, heights, integral);
+  }
+  return integral;
+}
+
+FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
+  Heights heights = tube_heights(tube, s.position, s.geometric);
+  bool cut = s.tilted && any_lane(heights.low < Real(0.0));
+  LightIntegral integral = integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe,
+                                               front_shading(s), heights, cut);
+  if (cut) {
+    return unless_hidden(s, heights, integral);
+  }
+  return integral;
+}
+
+FN LightIntegral surface_line_integral(Surface s, Line line) {
+  Heights heights = line_heights(line, s.position, s.geometric);
+  bool cut = s.tilted && any_lane(heights.low < Real(0.0));
+  if (!cut) {
+    return integrate_line(line, s.position, s.frame, s.fitted.lobe);
+  }
+  LightIntegral integral = integrate_line_in_front(line, s.position, s.frame, s.fitted.lobe,
+                                                   front_shading(s));
+  return unless_hidden(s, heights, integral);
 }
 
 /// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
@@ -106,8 +209,7 @@ FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
 
 /// Light of a polygon of radiance 1, both parts together.
 FN Vec3 shade_polygon(Surface s, Polygon polygon) {
-  ShadedLight shaded =
-      shade_integral(s, integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe));
+  ShadedLight shaded = shade_integral(s, surface_polygon_integral(s, polygon));
   Mask sided = has_side(s, polygon_origin(polygon), polygon_normal(polygon));
   return select(sided, shaded.diffuse + shaded.specular,
                 Vec3(Real(0.0), Real(0.0), Real(0.0)));

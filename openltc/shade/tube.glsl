@@ -124,8 +124,9 @@ FN Real tube_thickness(Tube tube, TubeView view, Lobe lobe) {
          sqrt(lobe_stretch2(lobe) / max(dot(nearest, nearest), Real(k_tiny)));
 }
 
-/// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline.
-FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe) {
+/// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
+/// `cut`, of its part in front of the plane with unit normal `front` (that space).
+FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe, Vec3 front, bool cut) {
   Mask round = tube.caps > Real(1.5);
   Mask closed = tube.caps > Real(0.5);
   // Not beside the tube: in front of one of its ends.
@@ -147,6 +148,9 @@ FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe) {
   Real edges = select(view.beside, Real(1.0), Real(0.0));
   Vec3 up = horizon_normal_cosine(lobe);
   Mask whole = cone_is_above(first.cone, up) && cone_is_above(second.cone, up);
+  if (cut) {
+    whole = whole && cone_is_above(first.cone, front) && cone_is_above(second.cone, front);
+  }
   Vec3 all = edge_term(from_left_o, to_left_o, to_left_o - from_left_o) * edges +
              edge_term(to_right_o, from_right_o, from_right_o - to_right_o) * edges +
              arc_term(first.cone, first.part) * first.sign +
@@ -167,6 +171,19 @@ FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe) {
   Vec3 b = second.left;
   Vec3 c = second.right;
   Vec3 d = first.right;
+  if (cut) {
+    // Some point where the outline crosses the plane, if it does.
+    Vec3 q = select(view.beside, a, select(see_from, first.cone.e3, second.cone.e3));
+    q = select(first.sign != Real(0.0), arc_crossing(first.cone, first.part, front, q), q);
+    q = select(second.sign != Real(0.0), arc_crossing(second.cone, second.part, front, q), q);
+    q = select(view.beside, edge_crossing(a, b, front, q), q);
+    q = select(view.beside, edge_crossing(c, d, front, q), q);
+    Vec3 part = edge_in_front(a, b, q, up, front, s) * edges +
+                edge_in_front(c, d, q, up, front, s) * edges +
+                arc_in_front(first.cone, first.part, q, up, front, s) * first.sign +
+                arc_in_front(second.cone, second.part, q, up, front, s) * second.sign;
+    return select(whole, all, part);
+  }
   Vec3 clipped = closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
                  closed_edge_term(c, d, dot(up, c), dot(up, d), s) * edges +
                  clipped_arc_term(first.cone, first.part, up, s) * first.sign +
@@ -178,35 +195,76 @@ FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe) {
 ///
 /// The two edges of a thin tube nearly cancel, of which rounding makes 1e-7 over its angular radius.
 /// So from a hundredth downwards it is handed over, without a step, to the strip around its axis and
-/// the halves of its ends, which is wrong by the square of that radius.
-FN_CALL Vec3 sum_tube(Tube tube, TubeView view, Lobe lobe) {
+/// the halves of its ends, which is wrong by the square of that radius. `heights`: over the plane with
+/// unit normal `front` (shading space); where that cuts it, `cut`, the strip would vanish all at once,
+/// and the outline, though less exact, serves for thinner ones.
+FN_CALL Vec3 sum_tube(Tube tube, TubeView view, Lobe lobe, Vec3 front, Heights heights, bool cut) {
   Real thickness = tube_thickness(tube, view, lobe);
   Real exact = min(max((thickness - Real(0.004)) * Real(250.0), Real(0.0)), Real(1.0));
+  Vec3 from = view.from;
+  Vec3 to = view.to;
+  Mask from_seen = Real(0.0) < Real(1.0);
+  Mask to_seen = from_seen;
+  Mask strip_seen = from_seen;
+  if (cut) {
+    Real thinner = min(max((thickness - Real(0.0005)) * Real(2000.0), Real(0.0)), Real(1.0));
+    exact = select(heights.low < Real(0.0) && heights.high > Real(0.0), thinner, exact);
+    FrontSegment part = segment_in_front(from, to, front);
+    from_seen = dot(front, from) > Real(0.0);
+    to_seen = dot(front, to) > Real(0.0);
+    strip_seen = part.some;
+    from = part.a;
+    to = part.b;
+  }
   Vec3 sum = Vec3(Real(0.0), Real(0.0), Real(0.0));
   // Uniform shortcuts: no lane has one form or the other.
   if (any_lane(exact > Real(0.0))) {
-    sum = sum_tube_outline(tube, view, lobe) * exact;
+    sum = sum_tube_outline(tube, view, lobe, plane_normal_cosine(lobe, front), cut) * exact;
   }
   if (any_lane(exact < Real(1.0))) {
-    Vec3 thin = sum_line(view.from, view.to, lobe) * (Real(2.0) * tube.radius) +
-                thin_end_term(tube, view.from, -view.axis, lobe) +
-                thin_end_term(tube, view.to, view.axis, lobe);
-    sum = sum + select(exact < Real(1.0), thin * (Real(1.0) - exact),
-                       Vec3(Real(0.0), Real(0.0), Real(0.0)));
+    Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+    Vec3 thin = select(strip_seen, sum_line(from, to, lobe) * (Real(2.0) * tube.radius), none) +
+                select(from_seen, thin_end_term(tube, view.from, -view.axis, lobe), none) +
+                select(to_seen, thin_end_term(tube, view.to, view.axis, lobe), none);
+    sum = sum + select(exact < Real(1.0), thin * (Real(1.0) - exact), none);
   }
   return sum;
 }
 
-/// Integrals over a tube seen from `position` (world space), for Lambert and for `lobe`. Zero
-/// inside: it emits outwards.
-FN LightIntegral integrate_tube(Tube tube, Vec3 position, Frame frame, Lobe lobe) {
+FN Heights tube_heights(Tube tube, Vec3 position, Vec3 normal) {
+  Real from = dot(normal, tube.from - position);
+  Real to = dot(normal, tube.to - position);
+  Vec3 axis = safe_direction(tube.to - tube.from);
+  Real along = dot(normal, axis);
+  Real reach = tube.radius * select(tube.caps > Real(1.5), Real(1.0),
+                                    sqrt(max(Real(1.0) - along * along, Real(0.0))));
+  Heights heights;
+  heights.low = min(from, to) - reach;
+  heights.high = max(from, to) + reach;
+  return heights;
+}
+
+/// integrate_tube; where `cut`, over what is in front of the plane with unit normal `front` (shading
+/// space), over which the tube has these heights.
+FN LightIntegral integrate_tube_part(Tube tube, Vec3 position, Frame frame, Lobe lobe, Vec3 front,
+                                     Heights heights, bool cut) {
   TubeView view = tube_view(tube, position, frame);
   // Its highest point: a tube below the horizon gives nothing, rounding or not.
   Real reach = tube.radius * select(tube.caps > Real(1.5), Real(1.0),
                                     sqrt(max(Real(1.0) - view.axis.z * view.axis.z, Real(0.0))));
   Real seen = select(max(view.from.z, view.to.z) + reach > Real(0.0), Real(1.0), Real(0.0));
-  return light_integral(sum_tube(tube, view, cosine_lobe()) * seen,
-                        sum_tube(tube, view, lobe) * seen, lobe);
+  return light_integral(sum_tube(tube, view, cosine_lobe(), front, heights, cut) * seen,
+                        sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe);
+}
+
+/// Integrals over a tube seen from `position` (world space), for Lambert and for `lobe`. Zero
+/// inside: it emits outwards.
+FN LightIntegral integrate_tube(Tube tube, Vec3 position, Frame frame, Lobe lobe) {
+  Heights above;
+  above.low = Real(0.0);
+  above.high = Real(0.0);
+  return integrate_tube_part(tube, position, frame, lobe, Vec3(Real(0.0), Real(0.0), Real(1.0)),
+                             above, false);
 }
 
 /// Area of the emitting surface, square metres.
