@@ -199,6 +199,14 @@ LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
   cosines(prepared, reach, cosine_to);
   const Interval cos_surface = cosine_to[3];
   if (cos_surface.upper <= 0) return bound;
+  // Where the triangles are tilted against the shading normals, they hide what lies behind them.
+  const float tilt = batch.upper[k_bound_tilt];
+  bool behind_some = false;
+  if (tilt > k_slack) {
+    const Interval cos_triangle = cosine(field3(batch, k_bound_geometric), reach);
+    if (cos_triangle.upper <= 0) return bound;
+    behind_some = cos_triangle.lower <= 0;
+  }
   const LobeBound lobe = bound_lobe(batch, cosine_to[0], cosine_to[1], cosine_to[2]);
   const float density = lobe.density;
   const float form = cos_light * inv_near2;
@@ -215,7 +223,10 @@ LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
   // it errs by what is on the other side, (n.d)(m.d) / |d|^4 < |p - centre| / |d|^3 for the diffuse
   // part; the specular part is cut off there and is left out.
   const bool far_diffuse = far.valid && (far.planar || cosines_light.upper < 0);
-  const bool cut = cos_surface.lower <= 0;
+  // Between a triangle's plane and its horizon n.d is at most |d| times the tilt; what the centre or
+  // a light wrongly has there is that, beside what the horizon would cut.
+  const bool cut = cos_surface.lower <= 0 || behind_some;
+  const float hidden = behind_some ? tilt : 0.0f;
   const bool far_specular = far_diffuse && !cut && lobe.above;
   const float inv_near = reach.inv_nearest, inv_near3 = inv_near * inv_near2;
   const float inv_near4 = inv_near2 * inv_near2;
@@ -238,7 +249,7 @@ LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
     diffuse_error =
         std::max(diffuse_error,
                  batch.upper[k_bound_diffuse + c] * (1 / k_pi) *
-                     ((cut ? std::sqrt(second * intensity) * inv_near3 : 0.0f) +
+                     ((cut ? std::sqrt(second * intensity) * inv_near3 : 0.0f) + hidden * flux +
                       k_gradient * first * inv_near3 + 0.5f * k_curvature * second * inv_near4));
     const float change = std::max(grazing, -batch.lower[k_bound_grazing + c]);
     specular_error =

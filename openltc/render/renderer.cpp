@@ -224,17 +224,24 @@ private:
   }
 
   // Light of all area lights in a pixel, summed over its camera samples: the closed form times the
-  // ratio of shadowed to unshadowed light. No sample found the light: no shadow is known either.
+  // ratio of shadowed to unshadowed light. Where the samples found none of a channel, that of all
+  // channels; where they found none at all, no ray was open.
   Vec3d shadowed_area_lights(std::size_t pixel) const {
     Vec3d total(0.0);
     for (std::size_t slot = 0; slot < light_of_slot_.size(); ++slot) {
       const std::int32_t light = light_of_slot_[slot];
       const float* sums = ratio_sums_.data() + slot * k_ratio_sum_count * k_tile_pixels + pixel;
+      const auto all_channels = [&](int field) {
+        return double(sums[field * k_tile_pixels]) + double(sums[(field + 1) * k_tile_pixels]) +
+               double(sums[(field + 2) * k_tile_pixels]);
+      };
+      const double found = all_channels(k_unshadowed_r);
+      const double ratio_of_all = found > 0 ? all_channels(k_shadowed_r) / found : 0.0;
       const auto channel = [&](int c) {
         const double closed = sums[(k_closed_r + c) * k_tile_pixels];
         const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
         const double shadowed = sums[(k_shadowed_r + c) * k_tile_pixels];
-        const double ratio = unshadowed > 0 ? shadowed / unshadowed : 1.0;
+        const double ratio = unshadowed > 0 ? shadowed / unshadowed : ratio_of_all;
         if (light == k_far_lights) return closed * ratio;
         return closed * ratio * double(job_.context.area_lights[light].radiance[c]);
       };

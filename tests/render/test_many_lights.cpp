@@ -66,12 +66,16 @@ std::vector<render::SurfacePoint> random_points(Random& random) {
   if (dot(view, normal) < 0) view = -view;
   if (random(0, 1) < 0.2f) view = normalize(normal + random.in_box(0.01f)); // frames of any azimuth
   const bool metal = random(0, 1) < 0.5f;
+  const bool smooth = random(0, 1) < 0.5f; // shading normals that are not the triangles'
+  const float bent = std::exp(random(-6, 0));
   std::vector<render::SurfacePoint> points(40);
   for (render::SurfacePoint& p : points) {
     p.position = random.in_box(apart);
     p.normal = p.geometric = normalize(normal + random.in_box(turned));
     p.view = normalize(view + random.in_box(std::min(turned, 0.3f)));
     if (dot(p.view, p.normal) < 0.01f) p.normal = p.geometric = p.view;
+    const Vec3f triangle = normalize(p.normal + random.in_box(bent));
+    if (smooth && dot(p.view, triangle) > 0) p.geometric = triangle;
     p.albedo = metal ? Vec3f(0) : Vec3f(random(0, 1), 0.5f, random(0, 1));
     p.f0 = metal ? Vec3f(random(0.5f, 1), 0.8f, 0.9f) : Vec3f(0.04f);
     p.roughness = std::clamp(roughness + random(-mixed, mixed), 0.0f, 1.0f);
@@ -82,11 +86,13 @@ std::vector<render::SurfacePoint> random_points(Random& random) {
 f64::Surface surface_f64(const render::SurfacePoint& p) {
   const f64::Vec3 normal = normalize(to_double(p.normal)), view = normalize(to_double(p.view));
   const double f90 = double(p.f90);
-  return f64::make_surface(f64::fetch_lobe(table::builtin_ggx_table().view(),
-                                           f64::alpha_from_roughness(double(p.roughness)),
-                                           dot(normal, view)),
-                           to_double(p.position), normal, view, to_double(p.albedo),
-                           to_double(p.f0), {f90, f90, f90}, double(p.roughness));
+  return f64::set_geometric_normal(
+      f64::make_surface(f64::fetch_lobe(table::builtin_ggx_table().view(),
+                                        f64::alpha_from_roughness(double(p.roughness)),
+                                        dot(normal, view)),
+                        to_double(p.position), normal, view, to_double(p.albedo), to_double(p.f0),
+                        {f90, f90, f90}, double(p.roughness)),
+      normalize(to_double(p.geometric)));
 }
 
 /// What a point reflects of polygon lights, in double precision.
@@ -106,6 +112,7 @@ f64::Vec3 far_reflected(const f64::Surface& s, const render::FarLight& far, bool
   const f64::Vec3 flux(std::max(-dot(d, to_double(far.moment[0])), 0.0),
                        std::max(-dot(d, to_double(far.moment[1])), 0.0),
                        std::max(-dot(d, to_double(far.moment[2])), 0.0));
+  if (s.tilted && dot(s.geometric, d) <= 0) return f64::Vec3(0.0);
   f64::Vec3 brdf = s.diffuse * f64::eval_lambert(wi);
   if (specular && wi.z > 0)
     brdf += (s.f0 + (s.f90 - s.f0) * f64::fresnel_weight(s.wo, wi)) *

@@ -24,8 +24,10 @@ struct Rows {
   const CaseView& view;
   const f64::Lobe& lobe;
   double tolerance;
+  const Vec3d* front;
 
   double density(Vec3d x_world) const {
+    if (front && dot(*front, x_world) <= 0) return 0;
     const Vec3d w = f64::to_shading(view.frame, x_world);
     return w.z > 0 ? f64::eval_lobe(lobe, w / length(w)) : 0.0;
   }
@@ -46,6 +48,7 @@ struct Rows {
     };
     cut(view.frame.n, 0);
     cut(view.frame.t1 * lobe.m20 + view.frame.n * lobe.m22, 0);
+    if (front) cut(*front, 0);
     if (faces_cut) // (x - center) . x = 0 on a sphere: a plane
       cut(center_of_curvature, dot(center_of_curvature, center_of_curvature) - sphere_radius2);
     std::sort(breaks.begin(), breaks.end());
@@ -118,14 +121,15 @@ double over_lateral(const Rows& rows, Vec3d from, Vec3d to, double radius) {
 } // namespace
 
 double surface_integral(const LightCase& light, const CaseView& view, const f64::Lobe& lobe,
-                        double tolerance) {
-  const Rows rows{view, lobe, tolerance};
+                        double tolerance, const Vec3d* front) {
+  const Rows rows{view, lobe, tolerance, front};
   const Vec3d a = to_double(light.a) - view.position, b = to_double(light.b);
   const double radius = double(light.radius);
   switch (light.shape) {
   case LightShape::rectangle:
   case LightShape::polygon:
-    return brute_force_integral(light.polygon->view(), view.position, view.frame, lobe, tolerance);
+    return brute_force_integral(light.polygon->view(), view.position, view.frame, lobe, tolerance,
+                                front);
   case LightShape::disk:
   case LightShape::ellipse:
     return over_ellipse(rows, a, b, to_double(light.c), light.two_sided);

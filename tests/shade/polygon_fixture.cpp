@@ -77,8 +77,10 @@ std::vector<Vec3d> clip(const std::vector<Vec3d>& points, Vec3d direction) {
   return kept;
 }
 
-double clipped_triangle(const Integrand& f, Vec3d a, Vec3d b, Vec3d c, double tolerance) {
+double clipped_triangle(const Integrand& f, Vec3d a, Vec3d b, Vec3d c, double tolerance,
+                        const Vec3d* front_shading) {
   std::vector<Vec3d> convex = {a, b, c};
+  if (front_shading) convex = clip(convex, *front_shading);
   convex = clip(convex, Vec3d(0, 0, 1));
   convex = clip(convex, Vec3d(f.lobe.m20, 0, f.lobe.m22));
   double sum = 0;
@@ -158,7 +160,8 @@ Ring reversed(Ring ring) {
 }
 
 double brute_force_integral(const PolygonView& polygon, Vec3d position, const f64::Frame& frame,
-                            const f64::Lobe& lobe, double tolerance) {
+                            const f64::Lobe& lobe, double tolerance, const Vec3d* front) {
+  const Vec3d front_shading = front ? f64::to_shading(frame, *front) : Vec3d(0.0);
   const Vec3d normal = f64::polygon_normal(polygon);
   const double height = dot(f64::polygon_origin(polygon) - position, normal);
   if (height >= 0 && !polygon.two_sided) return 0;
@@ -172,7 +175,9 @@ double brute_force_integral(const PolygonView& polygon, Vec3d position, const f6
     const Vec3d b = f64::to_shading(frame, f64::polygon_point(polygon, i) - position);
     if (!f64::polygon_starts_ring(polygon, i)) {
       const double winding = dot(cross(a - pivot, b - pivot), f.normal);
-      if (winding != 0) sum += std::copysign(clipped_triangle(f, pivot, a, b, tolerance), winding);
+      if (winding != 0)
+        sum += std::copysign(
+            clipped_triangle(f, pivot, a, b, tolerance, front ? &front_shading : nullptr), winding);
     }
     a = b;
   }

@@ -38,9 +38,10 @@ Ring reversed(Ring ring);
 
 /// Integral of the lobe's density over the polygon seen from `position`, both horizons honoured:
 /// signed triangles of the polygon's plane, clipped, and Gauss points refined until they agree.
-/// Nothing in it is shared with integrate_polygon but the density itself.
+/// Nothing in it is shared with integrate_polygon but the density itself. With `front`, only what lies
+/// in front of the plane through `position` of that normal, world space.
 double brute_force_integral(const PolygonView& polygon, Vec3d position, const f64::Frame& frame,
-                            const f64::Lobe& lobe, double tolerance);
+                            const f64::Lobe& lobe, double tolerance, const Vec3d* front = nullptr);
 
 /// Whether a point of the plane lies inside the outline: sum of the signed angles that its edges
 /// subtend, 2 pi inside and 0 outside.
