@@ -87,11 +87,14 @@ FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Re
   return sums;
 }
 
-/// Where the edge from a to b crosses a plane; heights: of its ends over that.
-FN Corner corner_between(Corner a, Corner b, Real a_height, Real b_height, Lobe lobe) {
+/// Where the edge from a to b crosses the plane with unit normal `front`; heights: of its ends over that.
+FN Corner corner_between(Corner a, Corner b, Real a_height, Real b_height, Vec3 front, Lobe lobe) {
   Real t = abs(a_height) * reciprocal(max(abs(a_height) + abs(b_height), Real(k_tiny)));
   Corner cut;
   cut.p = a.p + (b.p - a.p) * t;
+  // What rounding made of a crossing that is nearer than the ends would turn the plane, which may cut
+  // right through a narrow lobe.
+  cut.p = cut.p - front * dot(front, cut.p);
   cut.o = to_cosine(lobe, cut.p);
   cut.inv_p = inverse_length(cut.p);
   cut.inv_o = inverse_length(cut.o);
@@ -128,7 +131,7 @@ FN_CALL EdgeSums sum_edges_in_front(Polygon polygon, Vec3 position, Frame frame,
       Mask a_seen = a_height >= Real(0.0);
       Mask b_seen = b_height >= Real(0.0);
       if (any_lane(a_seen || b_seen)) {
-        Corner cut = corner_between(a, b, a_height, b_height, lobe);
+        Corner cut = corner_between(a, b, a_height, b_height, front, lobe);
         Corner from = select_corner(a_seen, a, cut);
         Corner to = select_corner(b_seen, b, cut);
         sums.diffuse = sums.diffuse + select(a_seen || b_seen, diffuse_term(from, to, s), none);

@@ -4,7 +4,7 @@
 // Light that does not arrive: behind the triangle's plane, whatever its normals say, and behind a wall,
 // however few samples find the light. What is hidden gives exactly 0, in every mode.
 
-#include "openltc/light/shapes.h"
+#include "openltc/light/emission_stack.h"
 #include "openltc/render/renderer.h"
 #include "test_scenes.h"
 

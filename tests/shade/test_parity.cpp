@@ -233,6 +233,8 @@ void check_lanes(testing::ParityRun run, int lanes) {
       {"clipped_edge_term", 1e-3},
       {"integrate_polygon", 5e-5},
       {"shade_polygon", 5e-5},
+      // the triangle's plane may cut right through a narrow lobe
+      {"shade_polygon.tilted", 2e-4},
       // the axes of cells turn quickly where the lobe is nearly round on the light
       {"emission_seen.diffuse", 2e-4},
       {"emission_seen.specular", 2e-4},
