@@ -21,6 +21,13 @@ struct Heights {
   Real high;
 };
 
+FN Heights no_heights() {
+  Heights heights;
+  heights.low = Real(0.0);
+  heights.high = Real(0.0);
+  return heights;
+}
+
 /// A plane's normal in cosine space, unit, from that of shading space: M^T n, see
 /// horizon_normal_cosine.
 FN Vec3 plane_normal_cosine(Lobe lobe, Vec3 normal) {

@@ -95,20 +95,16 @@ FN Vec3 front_shading(Surface s) { return to_shading(s.frame, s.geometric); }
 // Integrals over lights as a surface sees them: what the triangle hides is left out. Uniform shortcuts:
 // no lane's normals differ, or no lane's triangle reaches the light.
 
-FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
-  bool cut = false;
-  if (s.tilted) {
-    cut = any_lane(dot(s.geometric, polygon_centroid(polygon) - s.position) <
-                   polygon_radius(polygon));
-  }
-  Heights heights;
-  heights.low = Real(0.0);
-  heights.high = Real(0.0);
-  if (cut) {
-    heights = polygon_heights(polygon, s.position, s.geometric);
-    cut = any_lane(heights.low < Real(0.0));
-  }
-  if (!cut) {
+/// Whether the plane of some lane's triangle may cut a polygon.
+FN bool triangle_may_cut(Surface s, Polygon polygon) {
+  return s.tilted && any_lane(dot(s.geometric, polygon_centroid(polygon) - s.position) <
+                              polygon_radius(polygon));
+}
+
+/// The integral where triangle_may_cut, which most groups need not carry along.
+FN LightIntegral cut_polygon_integral(Surface s, Polygon polygon) {
+  Heights heights = polygon_heights(polygon, s.position, s.geometric);
+  if (all_lanes(heights.low >= Real(0.0))) {
     return integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
   }
   LightIntegral integral = integrate_polygon_in_front(polygon, s.position, s.frame, s.fitted.lobe,
@@ -116,9 +112,20 @@ FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
   return unless_hidden(s, heights, integral);
 }
 
+FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
+  if (triangle_may_cut(s, polygon)) {
+    return cut_polygon_integral(s, polygon);
+  }
+  return integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+}
+
 FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
-  Heights heights = ellipse_heights(ellipse, s.position, s.geometric);
-  bool cut = s.tilted && any_lane(heights.low < Real(0.0));
+  Heights heights = no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = ellipse_heights(ellipse, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
   LightIntegral integral = integrate_ellipse_part(ellipse, s.position, s.frame, s.fitted.lobe,
                                                   front_shading(s), cut);
   if (cut) {
@@ -128,8 +135,12 @@ FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
 }
 
 FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
-  Heights heights = sphere_heights(sphere, s.position, s.geometric);
-  bool cut = s.tilted && any_lane(heights.low < Real(0.0));
+  Heights heights = no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = sphere_heights(sphere, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
   LightIntegral integral = integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe,
                                                  front_shading(s), cut);
   if (cut) {
@@ -139,8 +150,12 @@ FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
 }
 
 FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
-  Heights heights = tube_heights(tube, s.position, s.geometric);
-  bool cut = s.tilted && any_lane(heights.low < Real(0.0));
+  Heights heights = no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = tube_heights(tube, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
   LightIntegral integral = integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe,
                                                front_shading(s), heights, cut);
   if (cut) {
@@ -150,8 +165,12 @@ FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
 }
 
 FN LightIntegral surface_line_integral(Surface s, Line line) {
-  Heights heights = line_heights(line, s.position, s.geometric);
-  bool cut = s.tilted && any_lane(heights.low < Real(0.0));
+  Heights heights = no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = line_heights(line, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
   if (!cut) {
     return integrate_line(line, s.position, s.frame, s.fitted.lobe);
   }
@@ -207,12 +226,29 @@ FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
   return shaded;
 }
 
-/// Light of a polygon of radiance 1, both parts together.
-FN Vec3 shade_polygon(Surface s, Polygon polygon) {
-  ShadedLight shaded = shade_integral(s, surface_polygon_integral(s, polygon));
+/// Light of a polygon of radiance 1, both parts together, from its integral.
+FN Vec3 shade_polygon_integral(Surface s, Polygon polygon, LightIntegral integral) {
+  ShadedLight shaded = shade_integral(s, integral);
   Mask sided = has_side(s, polygon_origin(polygon), polygon_normal(polygon));
   return select(sided, shaded.diffuse + shaded.specular,
                 Vec3(Real(0.0), Real(0.0), Real(0.0)));
+}
+
+FN Vec3 shade_whole_polygon(Surface s, Polygon polygon) {
+  return shade_polygon_integral(
+      s, polygon, integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe));
+}
+
+FN Vec3 shade_cut_polygon(Surface s, Polygon polygon) {
+  return shade_polygon_integral(s, polygon, cut_polygon_integral(s, polygon));
+}
+
+/// Light of a polygon of radiance 1, both parts together.
+FN Vec3 shade_polygon(Surface s, Polygon polygon) {
+  if (triangle_may_cut(s, polygon)) {
+    return shade_cut_polygon(s, polygon);
+  }
+  return shade_whole_polygon(s, polygon);
 }
 
 /// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but

@@ -260,11 +260,8 @@ FN LightIntegral integrate_tube_part(Tube tube, Vec3 position, Frame frame, Lobe
 /// Integrals over a tube seen from `position` (world space), for Lambert and for `lobe`. Zero
 /// inside: it emits outwards.
 FN LightIntegral integrate_tube(Tube tube, Vec3 position, Frame frame, Lobe lobe) {
-  Heights above;
-  above.low = Real(0.0);
-  above.high = Real(0.0);
   return integrate_tube_part(tube, position, frame, lobe, Vec3(Real(0.0), Real(0.0), Real(1.0)),
-                             above, false);
+                             no_heights(), false);
 }
 
 /// Area of the emitting surface, square metres.
