@@ -298,10 +298,14 @@ FN Real polygon_exactness(Vec3 center, Real radius, Lobe lobe) {
   return select(above, exact, Real(1.0));
 }
 
-/// integrate_polygon; where `cut`, over what is in front of the plane with unit normal `front` (shading
-/// space).
-FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame frame, Lobe lobe,
-                                        Vec3 front, bool cut) {
+/// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
+/// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
+/// last digit asks has_side (surface.glsl) as well.
+///
+/// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
+/// is the integral; the direction is the mean direction of the part of the polygon that counts,
+/// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
+FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
   Vec3 normal = polygon_normal(polygon);
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real h = dot(to_origin, normal);
@@ -318,11 +322,6 @@ FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame fr
     center = to_shading(frame, to_center);
     exact_diffuse = polygon_exactness(center, radius, cosine_lobe());
     exact_specular = polygon_exactness(center, radius, lobe);
-    if (cut) {
-      Mask in_front = dot(front, center) > radius;
-      exact_diffuse = select(in_front, exact_diffuse, Real(1.0));
-      exact_specular = select(in_front, exact_specular, Real(1.0));
-    }
   }
 
   EdgeSums sums;
@@ -331,10 +330,8 @@ FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame fr
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   Mask lit = side != Real(0.0);
   if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
-    if (cut) {
-      sums = sum_edges_in_front(polygon, position, frame, lobe, h, front);
-    } else if (polygon_point_count(polygon) == 5) {
-      // Five points, the first of them twice, are one ring.
+    // Five points, the first of them twice, are one ring.
+    if (polygon_point_count(polygon) == 5) {
       sums = sum_quad_edges(polygon, position, frame, lobe, h);
     } else {
       sums = sum_edges(polygon, position, frame, lobe, h);
@@ -360,22 +357,34 @@ FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame fr
   return light_integral(sums.diffuse, sums.specular, lobe);
 }
 
-/// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
-/// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
-/// last digit asks has_side (surface.glsl) as well.
-///
-/// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
-/// is the integral; the direction is the mean direction of the part of the polygon that counts,
-/// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
-FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
-  return integrate_polygon_part(polygon, position, frame, lobe,
-                                Vec3(Real(0.0), Real(0.0), Real(1.0)), false);
-}
-
-/// The same over what is in front of the plane with unit normal `front` (shading space).
+/// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
+/// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
 FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position, Frame frame,
                                                  Lobe lobe, Vec3 front) {
-  return integrate_polygon_part(polygon, position, frame, lobe, front, true);
+  Vec3 to_origin = polygon_origin(polygon) - position;
+  Real h = dot(to_origin, polygon_normal(polygon));
+  Real side = select(h < Real(0.0), Real(-1.0), polygon_two_sided(polygon) ? Real(1.0) : Real(0.0));
+  side = select(lies_in_plane(h, to_origin, Real(0.0)), Real(0.0), side);
+  SmallPolygon small;
+  small.center = to_shading(frame, polygon_centroid(polygon) - position);
+  small.u = to_shading(frame, polygon_spread_u(polygon));
+  small.v = to_shading(frame, polygon_spread_v(polygon));
+  small.area_height = polygon_area(polygon) * abs(h) * abs(side);
+  // What the plane may cut is summed by its edges, however small.
+  Real radius = polygon_radius(polygon);
+  Mask in_front = dot(front, small.center) > radius;
+  Real exact_diffuse =
+      select(in_front, polygon_exactness(small.center, radius, cosine_lobe()), Real(1.0));
+  Real exact_specular = select(in_front, polygon_exactness(small.center, radius, lobe), Real(1.0));
+  EdgeSums sums = sum_edges_in_front(polygon, position, frame, lobe, h, front);
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 small_diffuse = sum_small_polygon(small, cosine_lobe()) * (Real(1.0) - exact_diffuse);
+  Vec3 small_specular = sum_small_polygon(small, lobe) * (Real(1.0) - exact_specular);
+  sums.diffuse = sums.diffuse * (side * exact_diffuse) +
+                 select(exact_diffuse < Real(1.0), small_diffuse, none);
+  sums.specular = sums.specular * (side * exact_specular) +
+                  select(exact_specular < Real(1.0), small_specular, none);
+  return light_integral(sums.diffuse, sums.specular, lobe);
 }
 
 FN_CALL Heights polygon_heights(Polygon polygon, Vec3 position, Vec3 normal) {
