@@ -223,8 +223,8 @@ LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
   // it errs by what is on the other side, (n.d)(m.d) / |d|^4 < |p - centre| / |d|^3 for the diffuse
   // part; the specular part is cut off there and is left out.
   const bool far_diffuse = far.valid && (far.planar || cosines_light.upper < 0);
-  // Between a triangle's plane and its horizon n.d is at most |d| times the tilt; what the centre or
-  // a light wrongly has there is that, beside what the horizon would cut.
+  // Between a triangle's plane and its horizon n.d is at most |d| times the tilt; what the centre
+  // or a light wrongly has there is that, beside what the horizon would cut.
   const bool cut = cos_surface.lower <= 0 || behind_some;
   const float hidden = behind_some ? tilt : 0.0f;
   const bool far_specular = far_diffuse && !cut && lobe.above;

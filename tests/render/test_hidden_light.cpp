@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Light that does not arrive: behind the triangle's plane, whatever its normals say, and behind a wall,
-// however few samples find the light. What is hidden gives exactly 0, in every mode.
+// Light that does not arrive: behind the triangle's plane, whatever its normals say, and behind a
+// wall, however few samples find the light. What is hidden gives exactly 0, in every mode.
 
 #include "openltc/light/emission_stack.h"
 #include "openltc/render/renderer.h"
@@ -105,9 +105,9 @@ std::vector<Shape> shapes() {
   // So many that they are chosen, and taken in groups.
   all.push_back({"many", [](scene::Scene& scene, Vec3f at) {
                    for (int i = 0; i < 40; ++i)
-                     scene.lights.polygons.push_back(upright(
-                         at + Vec3f(0.02f * float(i % 5), 0, 0.1f * float(i % 8) - 0.4f),
-                         {{{0, -0.25f}, {0.05f, -0.25f}, {0.05f, 0.25f}, {0, 0.25f}}}));
+                     scene.lights.polygons.push_back(
+                         upright(at + Vec3f(0.02f * float(i % 5), 0, 0.1f * float(i % 8) - 0.4f),
+                                 {{{0, -0.25f}, {0.05f, -0.25f}, {0.05f, 0.25f}, {0, 0.25f}}}));
                  }});
   return all;
 }
@@ -191,7 +191,8 @@ TEST_CASE("what lies behind a triangle is hidden by it, whatever its normals say
   CHECK(lit == 6 * int(shapes().size()));
 }
 
-TEST_CASE("a light that crosses a tilted triangle's plane has in both integrators what is in front") {
+TEST_CASE(
+    "a light that crosses a tilted triangle's plane has in both integrators what is in front") {
   // On a Lambertian surface both are the same integral.
   for (const Shape& shape : shapes()) {
     if (shape.name == "picture" || shape.name == "many") continue;
@@ -215,8 +216,8 @@ TEST_CASE("a light that crosses a tilted triangle's plane has in both integrator
       const double a = double(closed.radiance.data[i]), b = double(reference.radiance.data[i]);
       difference += a - b;
       total += b;
-      worst = std::max(worst, std::abs(a - b) / (double(reference.standard_error.data[i]) +
-                                                 1e-4 * b + 1e-4));
+      worst = std::max(worst, std::abs(a - b) /
+                                  (double(reference.standard_error.data[i]) + 1e-4 * b + 1e-4));
     }
     REQUIRE(total > 1);
     MESSAGE(shape.name, ": means differ by ", difference / total, ", pixels by at most ", worst,
@@ -227,8 +228,9 @@ TEST_CASE("a light that crosses a tilted triangle's plane has in both integrator
 }
 
 TEST_CASE("no light reaches a pixel behind a wall, however little of it stands above the horizon") {
-  // Of the light a tip, 1 to 60 mm, stands above the floor's horizon; a black wall stands between. With
-  // tilted normals the light stands above the floor, and its tip above what they make of the horizon.
+  // Of the light a tip, 1 to 60 mm, stands above the floor's horizon; a black wall stands between.
+  // With tilted normals the light stands above the floor, and its tip above what they make of the
+  // horizon.
   const scene::Camera camera = test::look_at({-0.6f, 2, 0.3f}, {-0.2f, 0, 0}, 0.5f);
   std::size_t lit_without = 0;
   for (const Shape& shape : shapes())

@@ -118,7 +118,8 @@ namespace {
 struct Furnace {
   double roughness = 0.5, cos_view = 0.5;
   Vec3d half{1, 1, 1}, place{0, 0, 0}; // of the room, and where the point is in it, -1..1
-  Vec3d turn{0, 0, 0}; // normal and view stay; the room's axis turns to (x, y, 1), then about it by z
+  Vec3d turn{0, 0,
+             0}; // normal and view stay; the room's axis turns to (x, y, 1), then about it by z
 };
 
 Furnace moved(Furnace f, double step, double least_cosine, Random& random) {
@@ -136,14 +137,12 @@ Furnace moved(Furnace f, double step, double least_cosine, Random& random) {
 // What it reflects, 1 at most if nothing is made.
 double reflected(const Furnace& f) {
   const Vec3d wo(std::sqrt(1 - f.cos_view * f.cos_view), 0, f.cos_view);
-  const f64::FittedLobe fitted =
-      f64::fetch_lobe(table::builtin_ggx_table().view(), f64::alpha_from_roughness(f.roughness),
-                      f.cos_view);
+  const f64::FittedLobe fitted = f64::fetch_lobe(
+      table::builtin_ggx_table().view(), f64::alpha_from_roughness(f.roughness), f.cos_view);
   const f64::Surface s = f64::make_surface(fitted, Vec3d(0.0), Vec3d(0, 0, 1), wo, Vec3d(1.0),
                                            Vec3d(0.04), Vec3d(1.0), f.roughness);
   const Vec3d z = normalize(Vec3d(f.turn.x, f.turn.y, 1));
-  const f64::Frame frame =
-      f64::shading_frame(z, Vec3d(std::cos(f.turn.z), std::sin(f.turn.z), 0));
+  const f64::Frame frame = f64::shading_frame(z, Vec3d(std::cos(f.turn.z), std::sin(f.turn.z), 0));
   const Vec3d axes[3] = {frame.t1, frame.t2, frame.n};
   const double half[3] = {f.half.x, f.half.y, f.half.z};
   const Vec3d middle = f64::to_world(frame, f.half * f.place);

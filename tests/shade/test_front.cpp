@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// What lies behind the triangle's plane is hidden by it, whatever the shading normal says: lights of
-// every shape, cut by a third plane, against quadrature over what is left of their surface.
+// What lies behind the triangle's plane is hidden by it, whatever the shading normal says: lights
+// of every shape, cut by a third plane, against quadrature over what is left of their surface.
 
 #include "light_fixture.h"
 #include "light_reference.h"
@@ -68,8 +68,8 @@ Vec3d center_of(const LightCase& light) {
   return long_one ? (to_double(light.a) + to_double(light.b)) * 0.5 : to_double(light.a);
 }
 
-// A triangle's normal on the viewer's side, up to 80 degrees off the shading normal. Of `through`, its
-// plane passes near the light's middle.
+// A triangle's normal on the viewer's side, up to 80 degrees off the shading normal. Of `through`,
+// its plane passes near the light's middle.
 Vec3d random_front(const LightCase& light, bool through, Random& random) {
   const Vec3d n = to_double(light.normal), wo = to_double(light.wo);
   for (;;) {
@@ -147,8 +147,7 @@ TEST_CASE("wholly behind the triangle's plane a light of any shape gives exactly
       if (testing::is_polygon(shape))
         highest = double(f32::polygon_heights(light.polygon->view(), s.position, f).high);
       else if (shape == LightShape::disk || shape == LightShape::ellipse)
-        highest =
-            double(f32::ellipse_heights({light.a, light.b, light.c, 0}, s.position, f).high);
+        highest = double(f32::ellipse_heights({light.a, light.b, light.c, 0}, s.position, f).high);
       else if (shape == LightShape::sphere)
         highest = double(f32::sphere_heights({light.a, light.radius}, s.position, f).high);
       else if (shape == LightShape::line)
@@ -162,7 +161,8 @@ TEST_CASE("wholly behind the triangle's plane a light of any shape gives exactly
       CHECK(integral.diffuse == 0);
       CHECK(integral.specular == 0);
     }
-    MESSAGE(std::string(testing::shape_name(shape)), ": ", lit, " would be lit without the triangle");
+    MESSAGE(std::string(testing::shape_name(shape)), ": ", lit,
+            " would be lit without the triangle");
     CHECK(lit > 30);
   }
 }
@@ -183,8 +183,7 @@ TEST_CASE("as the triangle turns its plane through a light nothing steps") {
       for (int step = 0; step <= steps; ++step) {
         const double angle = 1.4 * step / steps;
         const Vec3f front = to_float(n * std::cos(angle) + sideways * std::sin(angle));
-        const f32::LightIntegral now =
-            single::integral_of(light, single::surface_of(light, front));
+        const f32::LightIntegral now = single::integral_of(light, single::surface_of(light, front));
         if (step > 0) {
           // A plane turned by 7e-4 sweeps a lune of that solid angle times 2 at most; a lobe of
           // roughness 0.3 has a density of some 40.
