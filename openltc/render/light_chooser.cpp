@@ -60,8 +60,9 @@ void LightChooser::light(PointBuffer& points, PointBuffer::Range range, double t
     const std::size_t nodes = tree_.choose(bounds, tolerance, choice_);
     if (range.size() >= 2 * k_smallest_range) {
       const double own = double(std::min(choice_.single_count, most_exact));
-      const double lights = own + k_far_cost * (double(choice_.entries.size()) - own);
-      const double shading = double(range.size()) * lights * (traced ? k_traced_cost : 1.0);
+      const double shared = double(choice_.entries.size()) - own;
+      const double shading =
+          double(range.size()) * (own * (traced ? k_traced_cost : 1.0) + k_far_cost * shared);
       split = shading * std::min(width.relative, 1.0) > k_choosing_cost * double(nodes);
     }
   }

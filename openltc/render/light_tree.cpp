@@ -84,8 +84,7 @@ LightTree::LightTree(std::span<const TreeLight> lights) {
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(2 * lights.size());
   sampling_nodes_.reserve(2 * lights.size());
-  paths_.resize(lights.size());
-  if (!lights.empty()) build(lights, 0, std::int32_t(lights.size()), 0, 0);
+  if (!lights.empty()) build(lights, 0, std::int32_t(lights.size()));
   double sum = 0;
   cdf_.push_back(0);
   for (const std::int32_t i : order_) {
@@ -94,8 +93,7 @@ LightTree::LightTree(std::span<const TreeLight> lights) {
   }
 }
 
-void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std::int32_t end,
-                      std::uint32_t path, int depth) {
+void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std::int32_t end) {
   const std::size_t index = nodes_.size();
   const auto members = std::span(order_).subspan(std::size_t(begin), std::size_t(end - begin));
   Node node;
@@ -109,7 +107,6 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
   sampling_nodes_.push_back(sampling_node(together));
   if (members.size() == 1) {
     sampling_nodes_.back().light = members.front();
-    paths_[std::size_t(members.front())] = path;
     return;
   }
 
@@ -136,10 +133,9 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
   };
   const std::int32_t half = (end - begin) / 2;
   std::nth_element(members.begin(), members.begin() + half, members.end(), before);
-  build(lights, begin, begin + half, path, depth + 1);
+  build(lights, begin, begin + half);
   nodes_[index].right = sampling_nodes_[index].right = std::int32_t(nodes_.size());
-  // Halves make the tree as deep as the logarithm of the number of lights, which 32 bits hold.
-  build(lights, begin + half, end, path | (1u << depth), depth + 1);
+  build(lights, begin + half, end);
 }
 
 double LightTree::spacing() const {

@@ -60,7 +60,6 @@ public:
   std::span<const float> cdf() const { return cdf_; }
   /// The tree as the reference draws lights from it, see LightNodes.
   std::span<const LightNode> nodes() const { return sampling_nodes_; }
-  std::span<const std::uint32_t> paths() const { return paths_; }
 
 private:
   struct Node {
@@ -69,13 +68,12 @@ private:
     std::int32_t begin = 0, end = 0; ///< its lights in the order
   };
 
-  void build(std::span<const TreeLight> lights, std::int32_t begin, std::int32_t end,
-             std::uint32_t path, int depth);
+  void build(std::span<const TreeLight> lights, std::int32_t begin, std::int32_t end);
   FarGroup group_of(const LightChoice::Entry& entry, bool exact) const;
 
   std::vector<Node> nodes_;
   std::vector<LightNode> sampling_nodes_;
-  std::vector<std::uint32_t> paths_;
+
   std::vector<std::int32_t> order_;
   std::vector<float> cdf_;
 };

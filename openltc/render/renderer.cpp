@@ -348,7 +348,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
                 : options.light_error > 0 && count >= k_min_lights_to_choose)
     tree = LightTree(lights.tree_lights);
   if (reference && !tree.nodes().empty()) {
-    context.light_nodes = {tree.nodes().data(), tree.paths().data(), k_drawn_lights};
+    context.light_nodes = {tree.nodes().data(), k_drawn_lights};
   } else if (!tree.nodes().empty()) {
     context.far_lights.order = tree.order().data();
     context.far_lights.cdf = tree.cdf().data();

@@ -151,9 +151,6 @@ struct LightNode {
 /// A tree from which the reference draws lights with known probabilities.
 struct LightNodes {
   const LightNode* nodes = nullptr; ///< null: every sample takes all lights
-  /// For each light the turns that lead to it from the root: bit i of the i-th is 1 for the second
-  /// child.
-  const std::uint32_t* path = nullptr;
   int samples = 0; ///< lights that a group of points draws, at most k_most_drawn_lights
 };
 
