@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/shape_options.h"
+#include "cli/standard_streams.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
@@ -65,12 +66,12 @@ int run_inspect(const InspectArguments& arguments) {
   const Result<Description> description = describe(arguments.path, arguments.emissive);
   if (!description) return fail("inspect", description.error());
   if (!arguments.json) {
-    fmt::print("{}", description->text);
+    put("{}", description->text);
     return k_exit_ok;
   }
   // Names and paths may hold any bytes; they must not break the output.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  fmt::print("{}\n", description->json.dump(2, ' ', false, replace));
+  put("{}\n", description->json.dump(2, ' ', false, replace));
   return k_exit_ok;
 }
 

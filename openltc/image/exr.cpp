@@ -8,6 +8,7 @@
 // Pixels go straight between the file and the caller's picture; nothing holds the file as a whole.
 
 #include "openltc/base/atomic_file.h"
+#include "openltc/base/regular_file.h"
 #include "openltc/image/codec.h"
 #include "openltc/image/exr_header.h"
 
@@ -137,16 +138,13 @@ Imf::Slice slice_at(const float* first, const Imath::Box2i& box, std::size_t x_s
 }
 
 Status check_exists(const std::string& path) {
-  std::error_code ec;
-  if (std::filesystem::is_directory(path, ec))
-    return Error{fmt::format("{}: is a directory, not a picture", path)};
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (!file) return Error{fmt::format("{}: cannot open: {}", path, std::strerror(errno))};
-  unsigned char magic[4] = {};
-  const std::size_t got = std::fread(magic, 1, 4, file);
-  std::fclose(file);
-  if (got == 0) return Error{fmt::format("{}: the file is empty", path)};
-  if (got < 4 || magic[0] != 0x76 || magic[1] != 0x2f || magic[2] != 0x31 || magic[3] != 0x01)
+  const Result<RegularFile> file = open_regular_file(path, k_max_pixels * 64);
+  if (!file) return file.error();
+  std::uint8_t magic[4] = {};
+  const Result<std::size_t> got = file->read_at(0, magic);
+  if (!got) return got.error();
+  if (*got == 0) return Error{fmt::format("{}: the file is empty", path)};
+  if (*got < 4 || magic[0] != 0x76 || magic[1] != 0x2f || magic[2] != 0x31 || magic[3] != 0x01)
     return Error{fmt::format("{}: not an OpenEXR file", path)};
   return Success{};
 }

@@ -5,17 +5,14 @@
 
 #include "openltc/image/file.h"
 
+#include "openltc/base/regular_file.h"
 #include "openltc/image/codec.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 
 namespace openltc::image {
 
@@ -29,24 +26,9 @@ std::string lower_extension(const std::string& path) {
 }
 
 Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
-  std::error_code ec;
-  if (std::filesystem::is_directory(path, ec))
-    return Error{fmt::format("{}: is a directory, not a picture", path)};
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) return Error{fmt::format("{}: cannot open: {}", path, std::strerror(errno))};
-  std::vector<std::uint8_t> bytes;
-  std::vector<std::uint8_t> block(std::size_t(1) << 20);
-  constexpr std::size_t max_bytes = k_max_pixels * 8; // 4 channels of 16 bits, uncompressed
-  while (const std::size_t got = std::fread(block.data(), 1, block.size(), file.get())) {
-    if (bytes.size() + got > max_bytes)
-      return Error{
-          fmt::format("{}: larger than {} bytes, too large for a picture", path, max_bytes)};
-    bytes.insert(bytes.end(), block.begin(), block.begin() + std::ptrdiff_t(got));
-  }
-  if (std::ferror(file.get()))
-    return Error{fmt::format("{}: cannot read: {}", path, std::strerror(errno))};
-  if (bytes.empty()) return Error{fmt::format("{}: the file is empty", path)};
+  constexpr std::uint64_t max_bytes = k_max_pixels * 8; // 4 channels of 16 bits, uncompressed
+  Result<std::vector<std::uint8_t>> bytes = read_regular_file(path, max_bytes);
+  if (bytes && bytes->empty()) return Error{fmt::format("{}: the file is empty", path)};
   return bytes;
 }
 

@@ -16,6 +16,7 @@
 
 #include "openltc/light/ies.h"
 
+#include "openltc/base/regular_file.h"
 #include "openltc/light/ies_text.h"
 
 #include <fmt/format.h>
@@ -23,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 
 namespace openltc::light {
@@ -263,16 +263,9 @@ Result<IesProfile> parse_ies(std::string_view text, const std::string& name) {
 }
 
 Result<IesProfile> read_ies(const std::string& path) {
-  std::error_code ec;
-  const std::uintmax_t size = std::filesystem::file_size(path, ec);
-  std::ifstream file(path, std::ios::binary);
-  if (ec || !file) return Error{fmt::format("{}: cannot be read", path)};
-  if (size > k_max_bytes)
-    return Error{fmt::format("{}: {} bytes are more than any LM-63 file has", path, size)};
-  std::string text(std::size_t(size), '\0');
-  if (!file.read(text.data(), std::streamsize(size)))
-    return Error{fmt::format("{}: cannot be read", path)};
-  return parse_ies(text, path);
+  const Result<std::string> text = read_regular_text(path, k_max_bytes);
+  if (!text) return text.error();
+  return parse_ies(*text, path);
 }
 
 } // namespace openltc::light

@@ -99,7 +99,6 @@ public:
     }
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
-      if (interrupted()) return;
       const int count = std::min(chunk, samples - first);
       samples_.assign(std::size_t(pixels * count), Vec3f(0.0f));
       for (int s = 0; s < count; ++s)
@@ -376,12 +375,10 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   {
     Progress progress("rendering", std::int64_t(columns) * rows, options.quiet);
     parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
-      if (interrupted()) return;
       Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, work);
       progress.add(1);
     });
   }
-  if (interrupted()) return Error{"interrupted; nothing was written"};
   const double points = double(std::max<std::int64_t>(work.points, 1));
   picture.lights_per_point = double(work.exact) / points;
   picture.far_groups_per_point = double(work.far) / points;
