@@ -7,11 +7,15 @@
 
 #include "openltc/image/primaries.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace openltc::image {
 
 namespace {
+
+constexpr double k_largest = double(std::numeric_limits<float>::max());
 
 using Column = std::array<double, 3>;
 
@@ -115,8 +119,10 @@ void multiply_colors(const ColorMatrix& m, Image& image) {
   for (std::size_t i = 0; i < image.data.size(); i += std::size_t(image.channels)) {
     float* p = &image.data[i];
     const Column v = m * Column{double(p[0]), double(p[1]), double(p[2])};
+    // What was finite stays so.
+    const bool finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
     for (std::size_t c = 0; c < 3; ++c)
-      p[c] = float(v[c]);
+      p[c] = float(finite ? std::clamp(v[c], -k_largest, k_largest) : v[c]);
   }
 }
 
