@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
+#include "cli/finite_numbers.h"
 
 #include <fmt/format.h>
 
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
   openltc::cli::add_inspect(app, exit_code);
   openltc::cli::add_convert(app, exit_code);
   openltc::cli::add_plot(app, exit_code);
+  openltc::cli::require_finite_numbers(app);
 
   try {
     app.parse(argc, argv);
