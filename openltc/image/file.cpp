@@ -108,14 +108,13 @@ Result<Image> read(const std::string& path) try {
     Result<Image> image = read_layer(path, "");
     return image ? Result<Image>(grey_as_rgb(std::move(*image))) : image;
   }
-  const bool is_radiance = extension == ".hdr";
-  if (!is_radiance && extension != ".png" && extension != ".jpg" && extension != ".jpeg")
+  if (!is_readable_extension(path))
     return Error{fmt::format("{}: unknown picture format '{}'; .exr, .hdr, .png, .jpg and .jpeg "
                              "can be read",
                              path, extension)};
   Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
   if (!bytes) return bytes.error();
-  if (is_radiance) return codec::decode_radiance(*bytes, path);
+  if (extension == ".hdr") return codec::decode_radiance(*bytes, path);
   Result<codec::Samples> samples = decode_samples(*bytes, path);
   if (!samples) return samples.error();
   return to_image(*samples, samples->channels % 2 == 0 ? 4 : 3, true);
@@ -177,6 +176,12 @@ Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& nam
   return to_image(*samples, 4, srgb_to_linear);
 } catch (const std::bad_alloc&) {
   return Error{fmt::format("{}: not enough memory for the picture", name)};
+}
+
+bool is_readable_extension(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".exr" || extension == ".hdr" || extension == ".png" || extension == ".jpg" ||
+         extension == ".jpeg";
 }
 
 bool is_writable_extension(const std::string& path) {

@@ -95,6 +95,9 @@ Result<std::vector<std::uint8_t>> encode_png(const Image& display);
 float srgb_from_linear(float linear);
 float linear_from_srgb(float srgb);
 
+/// Whether read() knows this extension: ".exr", ".hdr", ".png", ".jpg", ".jpeg" (any case).
+bool is_readable_extension(const std::string& path);
+
 /// Whether a file with this extension can be written: ".exr", ".hdr", ".png" (any case).
 bool is_writable_extension(const std::string& path);
 

@@ -168,6 +168,11 @@ bool is_picture(LayerKind kind) {
          kind == LayerKind::xyz || kind == LayerKind::grey;
 }
 
+std::string describe(const Window& window) {
+  if (window.width == 0 || window.height == 0) return "none";
+  return fmt::format("{}x{} from ({}, {})", window.width, window.height, window.x, window.y);
+}
+
 std::vector<LayerInfo> sort_into_layers(const std::vector<PartChannels>& parts) {
   std::vector<LayerInfo> layers;
   for (std::size_t p = 0; p < parts.size(); ++p) {

@@ -35,6 +35,9 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
+/// "640x480 from (0, 0)", or "none".
+std::string describe(const Window& window);
+
 struct LayerInfo {
   std::string name; ///< by which it is chosen; "" is the picture of a file of one part
   LayerKind kind = LayerKind::color;
