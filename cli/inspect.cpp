@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/shape_options.h"
 #include "cli/standard_streams.h"
+#include "openltc/image/file.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ namespace openltc::cli {
 namespace {
 
 struct InspectArguments {
-  std::string path;
+  std::string path, layer;
   bool json = false;
   scene::EmissiveOptions emissive;
 };
@@ -33,11 +34,14 @@ struct Kind {
   const char* extension;
   Result<Description> (*inspect)(const std::string& path); ///< none: a scene
 };
+Result<Description> inspect_whole_picture(const std::string& path) { return inspect_picture(path); }
 constexpr Kind k_kinds[] = {
-    {".gltf", nullptr},         {".glb", nullptr},         {".exr", inspect_exr},
-    {".hdr", inspect_picture},  {".png", inspect_picture}, {".jpg", inspect_picture},
-    {".jpeg", inspect_picture}, {".json", inspect_table},  {".dds", inspect_table},
-    {".ktx2", inspect_table},   {".npy", inspect_table},
+    {".gltf", nullptr},       {".glb", nullptr},
+    {".exr", inspect_exr},    {".hdr", inspect_whole_picture},
+    {".json", inspect_table}, {".png", inspect_whole_picture},
+    {".dds", inspect_table},  {".jpg", inspect_whole_picture},
+    {".ktx2", inspect_table}, {".jpeg", inspect_whole_picture},
+    {".npy", inspect_table},
 };
 
 Result<Description> describe(const std::string& path, const scene::EmissiveOptions& emissive) {
@@ -63,7 +67,11 @@ Result<Description> describe(const std::string& path, const scene::EmissiveOptio
 }
 
 int run_inspect(const InspectArguments& arguments) {
-  const Result<Description> description = describe(arguments.path, arguments.emissive);
+  image::PictureName name = image::split_picture_name(arguments.path);
+  if (!arguments.layer.empty()) name.layer = arguments.layer;
+  const Result<Description> description = name.layer.empty()
+                                              ? describe(name.path, arguments.emissive)
+                                              : inspect_picture(name.path, name.layer);
   if (!description) return fail("inspect", description.error());
   if (!arguments.json) {
     put("{}", description->text);
@@ -83,9 +91,10 @@ void add_inspect(CLI::App& app, int& exit_code) {
       app.add_subcommand("inspect", "Say what a file is: a scene, a picture or a lobe table");
   command->footer(
       "A scene (.gltf .glb): geometry, cameras by number and name, lights in nits, candela and\n"
-      "lumens, and what the importer warns about. A picture (.exr .hdr .png .jpg): size, layers,\n"
-      "range and mean of each channel, NaN and infinities, and for scene-linear ones the exposure\n"
-      "that --exposure auto would choose. A lobe table (.json .dds .ktx2 .exr .npy): its "
+      "lumens, and what the importer warns about. A picture (.exr .hdr .png .jpg): size, parts "
+      "and\n"
+      "layers, range and mean of each channel, NaN and infinities, and for scene-linear ones the\n"
+      "exposure that --exposure auto would choose. A lobe table (.json .dds .ktx2 .exr .npy): its "
       "metadata,\n"
       "errors and ranges; for a bare texture, which does not say what it is, how well every known\n"
       "layout and axis fits every named BRDF, the best first. An .exr is taken for a table when "
@@ -97,9 +106,12 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  openltc inspect room.glb\n"
       "  openltc inspect truth.exr --json\n"
+      "  openltc inspect blender.exr:ViewLayer.Normal\n"
       "  openltc fit -o ggx.json && openltc inspect ggx.json\n"
       "  openltc inspect ltc_1.dds");
   command->add_option("file", arguments->path, "File to look at")->required();
+  command->add_option("--layer", arguments->layer,
+                      "Of an .exr this layer only; FILE.exr:LAYER means the same");
   add_shape_options(*command, arguments->emissive);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->callback([arguments, &exit_code] { exit_code = run_inspect(*arguments); });
