@@ -48,8 +48,11 @@ Status convert_scene(const std::string& input, const std::string& output,
     fmt::print(stderr, "note: {}\n", report->left[i]);
   if (report->left.size() > k_most_named)
     fmt::print(stderr, "note: and {} more\n", report->left.size() - k_most_named);
-  fmt::print(stderr, "wrote {}, {} light{} as EXT_lights_area\n", output, report->written,
-             report->written == 1 ? "" : "s");
+  fmt::print(stderr, "wrote {}, {} light{} as EXT_lights_area{}\n", output, report->written,
+             report->written == 1 ? "" : "s",
+             report->profiles_written == 0
+                 ? ""
+                 : fmt::format(", {} as EXT_lights_ies", report->profiles_written));
   return Success{};
 }
 

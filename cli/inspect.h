@@ -35,6 +35,8 @@ Result<Description> inspect_polynomial(const std::string& path);
 Result<Description> inspect_exr(const std::string& path);
 /// A picture, .exr .hdr .png .jpg: size, layers, range of each channel, exposure.
 Result<Description> inspect_picture(const std::string& path);
+/// A photometric file, .ies .ldt: flux, peak, angles, symmetry, opening, what it states.
+Result<Description> inspect_photometry(const std::string& path);
 /// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, warnings.
 Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive);
 

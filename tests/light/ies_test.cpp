@@ -180,15 +180,26 @@ template <class Eval> double largest_difference(const IesProfile& profile, const
   double largest = 0;
   for (int i = 0; i < 20000; ++i) {
     const Vec3d d = normalize(Vec3d(normal(random), normal(random), normal(random)));
-    const double vertical = std::atan2(std::hypot(d.x, d.y), d.z);
     // Where the measurement ends, the grid has a ramp of one step; see below.
+    const ProfileAxes axes = profile_axes(profile.type, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    const Vec3d own(dot(to_double(axes.x), d), dot(to_double(axes.y), d),
+                    dot(to_double(axes.z), d));
+    const double vertical = std::atan2(std::hypot(own.x, own.y), own.z);
+    const double azimuth = std::atan2(own.y, own.x) * 180 / k_pi;
+    const double sides[] = {profile.azimuth_degrees.front(), profile.azimuth_degrees.back()};
+    const bool is_circle = sides[1] - sides[0] == 0 || sides[1] - sides[0] >= 360;
+    if (!is_circle && std::any_of(sides, sides + 2, [&](double side) {
+          return std::abs(std::remainder(azimuth - side, 360)) < 1.001;
+        }))
+      continue;
     const double edges[] = {profile.polar_degrees.front(), profile.polar_degrees.back()};
     if (std::any_of(edges, edges + 2, [&](double edge) {
           return edge > 0 && edge < 180 && std::abs(vertical * 180 / k_pi - edge) < 1.001;
         }))
       continue;
-    const double exact = eval_candela(profile, vertical, std::atan2(d.y, d.x));
-    largest = std::max(largest, std::abs(eval(d) - exact / profile.max_candela));
+    const double exact =
+        eval_candela(profile, std::atan2(std::hypot(d.x, d.y), d.z), std::atan2(d.y, d.x));
+    largest = std::max(largest, std::abs(eval(own) - exact / profile.max_candela));
   }
   return largest;
 }
@@ -253,6 +264,8 @@ void refused(const std::string& text, const std::string& words, const std::strin
 
 TEST_CASE("broken_files_are_refused_by_name_line_and_reason") {
   const std::string head = "IESNA:LM-63-2002\n[TEST] x\n", none = head + "TILT=NONE\n";
+  const std::string a_window = none + "1 -1 1 2 2 3 2 0 0 0\n1 1 10\n-9 9\n-9 9\n";
+  REQUIRE(parse_ies(a_window + "5 6 5 6", "lamp.ies").ok());
   const std::string good = none + "1 -1 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n5 6\n";
   REQUIRE(parse_ies(good, "lamp.ies").ok());
   refused("", "TILT");
