@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace openltc::cli {
 
@@ -70,6 +71,29 @@ void find_ranges(const IesProfile& profile, Range& vertical, Range& horizontal) 
   vertical = {std::min(first.vertical, last.vertical), std::max(first.vertical, last.vertical)};
   horizontal = {std::min(first.horizontal, last.horizontal),
                 std::max(first.horizontal, last.horizontal)};
+}
+
+// Where what a file states and what its intensities integrate to are different lamps.
+std::vector<std::string> contradictions(const IesProfile& profile,
+                                        const light::PhotometricSummary& s,
+                                        const std::string& path) {
+  constexpr double tolerance = 0.05; // of the flux: coarse steps and rounding make a hundredth
+  std::vector<std::string> found;
+  const double ratio = profile.lamp_lumens > 0 ? s.flux_lumens / profile.lamp_lumens : 0;
+  if (ratio > 1 + tolerance)
+    found.push_back(fmt::format("{}: the intensities make {:.5g} lm, more than the lamps' {:.5g}",
+                                path, s.flux_lumens, profile.lamp_lumens));
+  else if (ratio > 0 && profile.output_ratio > 0 &&
+           std::abs(ratio - profile.output_ratio) > tolerance)
+    found.push_back(fmt::format("{}: {:.1f} % of the lamps' lumens are stated to leave the "
+                                "luminaire, the intensities make it {:.1f} %",
+                                path, 100 * profile.output_ratio, 100 * ratio));
+  if (profile.downward_share >= 0 &&
+      std::abs(profile.downward_share - s.downward_share) > tolerance)
+    found.push_back(fmt::format("{}: {:.1f} % of the light are stated to go downwards, the "
+                                "intensities make it {:.1f} %",
+                                path, 100 * profile.downward_share, 100 * s.downward_share));
+  return found;
 }
 
 std::string angle(double degrees) {
@@ -133,7 +157,10 @@ Result<Description> inspect_photometry(const std::string& path) {
                         s.flux_lumens / profile->input_watts);
   for (const auto& [key, value] : profile->keywords)
     if (!value.empty()) text += fmt::format("keyword    [{}] {}\n", key, value);
-  for (const std::string& warning : profile->warnings)
+  std::vector<std::string> warnings = profile->warnings;
+  for (const std::string& contradiction : contradictions(*profile, s, path))
+    warnings.push_back(contradiction);
+  for (const std::string& warning : warnings)
     text += fmt::format("warning    {}\n", warning);
 
   const auto or_null = [](double number) { return number < 0 ? Json() : Json(number); };
@@ -165,7 +192,7 @@ Result<Description> inspect_photometry(const std::string& path) {
                                      profile->size_metres[2]})},
           {"input_watts", known_or_null(profile->input_watts)},
           {"keywords", Json::array()},
-          {"warnings", profile->warnings}};
+          {"warnings", warnings}};
   for (const auto& [key, value] : profile->keywords)
     json["keywords"].push_back(Json::array({key, value}));
   return out;

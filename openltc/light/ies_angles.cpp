@@ -50,8 +50,10 @@ PhotometricAngles angles_of(PhotometricType type, Vec3d d) {
   case PhotometricType::b:
     return {std::atan2(d.x, d.z) / k_degree, std::atan2(-d.y, std::hypot(d.x, d.z)) / k_degree};
   default: {
-    const double h = std::atan2(d.y, d.x) / k_degree;
-    return {std::atan2(std::hypot(d.x, d.y), d.z) / k_degree, h < 0 ? h + 360 : h};
+    // At the poles every angle is as good as 0.
+    const double across = std::hypot(d.x, d.y);
+    const double h = across > 1e-14 * std::abs(d.z) ? std::atan2(d.y, d.x) / k_degree : 0;
+    return {std::atan2(across, d.z) / k_degree, h < 0 ? h + 360 : h};
   }
   }
 }

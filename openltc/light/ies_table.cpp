@@ -226,7 +226,7 @@ std::size_t clamp_noise(std::vector<double>& values, const std::string& name,
     }
   warnings.push_back(fmt::format(
       "{}: {} of {} intensities {} below 0, down to {:.4g} where the largest is {:.4g}; "
-      "taken for noise of the measurement, they count as 0",
+      "counted as 0, as noise of the measurement",
       name, count, values.size(), count == 1 ? "is" : "are", worst, largest));
   return values.size();
 }

@@ -154,7 +154,7 @@ std::vector<Fact> facts_of(const PhotometryOptions& options, const light::Photom
 } // namespace
 
 std::vector<double> rings_of(double peak) {
-  const double step = round_step(peak, 4);
+  const double step = round_step(peak, 5);
   std::vector<double> rings;
   const int count = std::max(1, int(std::ceil(peak / step - 1e-9)));
   for (int i = 1; i <= count; ++i)
@@ -186,7 +186,7 @@ Result<Figure> make_photometry_figure(const PhotometryOptions& options) {
   Diagram diagram;
   diagram.is_whole = largest_up > k_dark * profile.max_candela;
   diagram.outermost = rings.back();
-  const double top = 46;
+  const double top = 30;
   diagram.center = Vec2d(k_side + k_radius, top + (diagram.is_whole ? k_radius : 0));
   draw_web(figure, diagram, rings, unit);
   const bool alike = are_alike(along, across, profile.max_candela);

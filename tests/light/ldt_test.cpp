@@ -177,7 +177,7 @@ TEST_CASE("broken_eulumdat_is_refused_by_name_line_and_reason") {
   refused(with_line(26, "0"), "sets of lamps 0");
   refused(with_line(26, "99"), "sets of lamps");
   refused(with_line(29, "0"), "0 lumens");
-  refused(with_line(44, "80"), "C1");
+  refused(with_line(45, "80"), "lamp.ldt:45: the C angle 80 follows 90");
   refused(good + "5\n", "left over");
   refused(file.text([](double g, double) { return g > 0 ? 10 : -5; }), "too far below 0");
   refused(file.text([](double, double) { return 0; }), "zero");

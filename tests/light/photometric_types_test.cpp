@@ -9,14 +9,17 @@
 #include "openltc/light/photometry.h"
 #include "openltc/light/units.h"
 #include "openltc/target/shade_f32.h"
-#include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <random>
+#include <tuple>
 #include <sys/stat.h>
 
 namespace {
@@ -200,7 +203,6 @@ TEST_CASE("noise_below_zero_and_text_behind_the_data_are_warnings") {
        {std::tuple{"-0.05", "", "below 0"},
         {"0", "[OTHER] added by tool\n", "lamp.ies:10: the text after"},
         {"0", "END OF FILE\n", "END OF FILE"}}) {
-    CAPTURE(behind);
     const IesProfile same = parsed(lamp_with(last, behind));
     CHECK(same.candela == good.candela);
     CHECK(same.flux_lumens == good.flux_lumens);
@@ -263,24 +265,26 @@ TEST_CASE("what_is_written_as_lm_63_is_read_as_the_same_light") {
   file.horizontal = angles(0, 360, 30);
   CHECK(horizontal_count(file, [](double v, double) { return 100 - v; }) == 1);
   CHECK(horizontal_count(file, [](double v, double h) {
-          return 100 - v + 50 * std::cos(2 * h * k_degree);
+          return 300 - v + 50 * std::cos(2 * h * k_degree);
         }) == 4);
   CHECK(horizontal_count(file, [](double v, double h) {
-          return 100 - v + 50 * std::cos(h * k_degree) * v / 90;
+          return 300 - v + 50 * std::cos(h * k_degree) * v / 90;
         }) == 7);
   CHECK(horizontal_count(file,
                          [](double v, double h) { return h < 360 ? 100 + v + h : 100 + v; }) == 13);
 }
 
 TEST_CASE("only_regular_files_are_read") {
-  const image::test::TemporaryFolder folder;
-  const std::string pipe = folder.file("lamp.ies");
+  std::string folder = (std::filesystem::temp_directory_path() / "openltc_XXXXXX").string();
+  REQUIRE(mkdtemp(folder.data()) != nullptr);
+  const std::string pipe = folder + "/lamp.ies";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  for (const std::string& path : {pipe, std::string("/dev/zero"), folder.file("none.ldt")}) {
+  for (const std::string& path : {pipe, std::string("/dev/zero"), folder, folder + "/none.ldt"}) {
     const auto profile = read_photometry(path);
     REQUIRE(!profile.ok());
     CHECK(profile.error().message.rfind(path + ": ", 0) == 0);
   }
+  std::filesystem::remove_all(folder);
 }
 
 } // namespace
