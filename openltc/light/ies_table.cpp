@@ -8,9 +8,9 @@
 // All three systems are polar angles and azimuths of a sphere, so this holds for each.
 //
 // The grid for shading takes the largest steps that meet all of the measured angles, so it
-// interpolates the same function; where there are none, it has steps of a quarter of a degree.
-// Where the measurement ends inside the sphere, at 90 degrees say, intensity falls to 0 within one
-// step of the grid, at most a degree.
+// interpolates the same function, down to a quarter of a degree; where there are none, it has 720
+// steps. Where the measurement ends inside the sphere, at 90 degrees say, intensity falls to 0
+// within one step of the grid, at most a degree.
 
 #include "openltc/light/ies_table.h"
 
@@ -25,7 +25,7 @@ namespace openltc::light {
 namespace {
 
 constexpr double k_pi = std::numbers::pi;
-constexpr int k_steps_per_degree = 4;
+constexpr int k_steps_per_degree = 4, k_intervals_otherwise = 720;
 constexpr double k_noise = 0.01; // of the largest value
 constexpr double k_edge = 1e-9;  // degrees by which rounding may leave the measured range
 
@@ -58,18 +58,6 @@ double wrapped(double azimuth, double first) {
   double w = azimuth - first;
   w -= 360 * std::floor(w / 360);
   return w > 360 - k_edge ? first : first + w;
-}
-
-double eval_degrees(const IesProfile& profile, double polar, double azimuth) {
-  if (!is_measured(profile.polar_degrees, polar)) return 0;
-  const Place p = place_of(profile.polar_degrees, polar);
-  const std::vector<double>& angles = profile.azimuth_degrees;
-  if (angles.size() < 2) return at_row(profile, 0, p);
-  const double within = wrapped(azimuth, angles.front());
-  if (!is_measured(angles, within)) return 0;
-  const Place a = place_of(angles, within);
-  const double low = at_row(profile, a.index, p);
-  return low + (at_row(profile, a.index + 1, p) - low) * a.fraction;
 }
 
 // Over the azimuth of the profile's own sphere.
@@ -106,7 +94,7 @@ int intervals_for(const std::vector<double>& angles, double span, int least) {
     });
     if (meets) return n * ((least + n - 1) / n);
   }
-  return most;
+  return k_intervals_otherwise;
 }
 
 void make_grid(IesProfile& profile) {
@@ -124,7 +112,7 @@ void make_grid(IesProfile& profile) {
     for (int i = 0; i <= columns; ++i) {
       // The last column is the first again, to the last digit.
       const double around = round || i == columns ? 0 : 360.0 * i / columns;
-      const double candela = eval_degrees(profile, 180.0 * j / rows, around);
+      const double candela = eval_own(profile, 180.0 * j / rows, around);
       profile.grid.push_back(float(std::clamp(candela / profile.max_candela, 0.0, 1.0)));
     }
 }
@@ -137,6 +125,18 @@ Status check_order(const std::vector<double>& angles, const std::string& name) {
 }
 
 } // namespace
+
+double eval_own(const IesProfile& profile, double polar, double azimuth) {
+  if (!is_measured(profile.polar_degrees, polar)) return 0;
+  const Place p = place_of(profile.polar_degrees, polar);
+  const std::vector<double>& angles = profile.azimuth_degrees;
+  if (angles.size() < 2) return at_row(profile, 0, p);
+  const double within = wrapped(azimuth, angles.front());
+  if (!is_measured(angles, within)) return 0;
+  const Place a = place_of(angles, within);
+  const double low = at_row(profile, a.index, p);
+  return low + (at_row(profile, a.index + 1, p) - low) * a.fraction;
+}
 
 std::string_view trimmed(std::string_view s) {
   const auto is_empty = [](char c) {
@@ -235,17 +235,17 @@ double eval_candela(const IesProfile& profile, Vec3d d) {
   const PhotometricAngles angles = angles_of(profile.type, d);
   switch (profile.type) {
   case PhotometricType::a:
-    return eval_degrees(profile, 90 - angles.vertical, angles.horizontal);
+    return eval_own(profile, 90 - angles.vertical, angles.horizontal);
   case PhotometricType::b:
-    return eval_degrees(profile, 90 + angles.horizontal, angles.vertical);
+    return eval_own(profile, 90 + angles.horizontal, angles.vertical);
   default:
-    return eval_degrees(profile, angles.vertical, angles.horizontal);
+    return eval_own(profile, angles.vertical, angles.horizontal);
   }
 }
 
 double eval_candela(const IesProfile& profile, double vertical_rad, double horizontal_rad) {
   if (profile.type == PhotometricType::c)
-    return eval_degrees(profile, vertical_rad * 180 / k_pi, horizontal_rad * 180 / k_pi);
+    return eval_own(profile, vertical_rad * 180 / k_pi, horizontal_rad * 180 / k_pi);
   return eval_candela(profile, direction_of(PhotometricType::c, {vertical_rad * 180 / k_pi,
                                                                  horizontal_rad * 180 / k_pi}));
 }

@@ -40,6 +40,9 @@ void take_rows(const std::vector<double>& polar, const AngleRows& azimuth,
 /// without light and angles that rounding has put out of order; `name` begins the line.
 Status finish_profile(IesProfile& profile, const std::string& name);
 
+/// Intensity at angles of the profile's own sphere, degrees, any azimuth: see eval_candela.
+double eval_own(const IesProfile& profile, double polar_degrees, double azimuth_degrees);
+
 /// Takes noise of the measurement away: values below 0 by no more than a hundredth of the largest
 /// become 0, with a warning. The index of one that is further below, or values.size().
 std::size_t clamp_noise(std::vector<double>& values, const std::string& name,

@@ -8,6 +8,8 @@
 
 #include "openltc/light/photometry_summary.h"
 
+#include "openltc/light/ies_table.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,15 +24,25 @@ Vec3d node_direction(const IesProfile& profile, std::size_t a, std::size_t p) {
   return direction_of(profile.type, node_angles(profile, a, p));
 }
 
-// Largest difference between the nodes and what `image` makes of their directions.
-template <class Image> double difference(const IesProfile& profile, const Image& image) {
+// Largest difference between the intensity at nodes and what eval finds for their angles.
+template <class Eval> double difference(const IesProfile& profile, const Eval& eval) {
   const std::size_t count = profile.polar_degrees.size();
   double most = 0;
   for (std::size_t a = 0; a < profile.azimuth_degrees.size(); ++a)
     for (std::size_t p = 0; p < count; ++p)
-      most = std::max(most, std::abs(profile.candela[a * count + p] -
-                                     eval_candela(profile, image(node_direction(profile, a, p)))));
+      most = std::max(most, std::abs(profile.candela[a * count + p] - eval(a, p)));
   return most;
+}
+
+// Mirrored on the profile's own sphere, so that it is exact and the poles, where an azimuth means
+// nothing, count as they are written. Either the polar angle
+// about the equator or the azimuth about half of `twice_center`.
+double mirrored_difference(const IesProfile& profile, bool over_polar, double twice_center = 0) {
+  return difference(profile, [&](std::size_t a, std::size_t p) {
+    const double polar = profile.polar_degrees[p], azimuth = profile.azimuth_degrees[a];
+    return over_polar ? eval_own(profile, 180 - polar, azimuth)
+                      : eval_own(profile, polar, twice_center - azimuth);
+  });
 }
 
 bool is_round(const IesProfile& profile, double tolerance_candela) {
@@ -40,7 +52,10 @@ bool is_round(const IesProfile& profile, double tolerance_candela) {
     // Another sphere's nodes: as good as the interpolation between them.
     for (const double turn_degrees : {17.0, 45.0, 90.0, 181.0}) {
       const double c = std::cos(turn_degrees * k_pi / 180), s = std::sin(turn_degrees * k_pi / 180);
-      const auto turned = [&](Vec3d d) { return Vec3d(c * d.x - s * d.y, s * d.x + c * d.y, d.z); };
+      const auto turned = [&](std::size_t a, std::size_t p) {
+        const Vec3d d = node_direction(profile, a, p);
+        return eval_candela(profile, Vec3d(c * d.x - s * d.y, s * d.x + c * d.y, d.z));
+      };
       if (difference(profile, turned) > tolerance_candela) return false;
     }
     return true;
@@ -53,7 +68,7 @@ bool is_round(const IesProfile& profile, double tolerance_candela) {
 
 double downward_share(const IesProfile& profile) {
   // Rings of equal solid angle. Both halves alike, so that what is even is so.
-  constexpr int rings = 3600;
+  constexpr int rings = 1000;
   double down = 0, up = 0;
   for (int i = 0; i < rings; ++i) {
     const double c = (i + 0.5) / rings;
@@ -68,8 +83,11 @@ double downward_share(const IesProfile& profile) {
 PhotometricSymmetry symmetry_of(const IesProfile& profile, double tolerance) {
   const double most = tolerance * profile.max_candela;
   if (is_round(profile, most)) return PhotometricSymmetry::axis;
-  const bool c0 = difference(profile, [](Vec3d d) { return Vec3d(d.x, -d.y, d.z); }) <= most;
-  const bool c90 = difference(profile, [](Vec3d d) { return Vec3d(-d.x, d.y, d.z); }) <= most;
+  // The pole of A is x, that of B is y: ies.h.
+  const bool is_b = profile.type == PhotometricType::b;
+  const bool is_a = profile.type == PhotometricType::a;
+  const bool c0 = mirrored_difference(profile, is_b) <= most;
+  const bool c90 = mirrored_difference(profile, is_a, is_b ? 0 : 180) <= most;
   return c0 && c90 ? PhotometricSymmetry::both
          : c0      ? PhotometricSymmetry::plane_c0
          : c90     ? PhotometricSymmetry::plane_c90

@@ -75,8 +75,9 @@ void draw_web(Figure& figure, const Diagram& diagram, const std::vector<double>&
         intensity_label(ring) + (ring == rings.back() ? " " + unit : std::string());
     if (diagram.is_whole) {
       const Vec2d at = place_at(diagram, 180, ring) + Vec2d(5, 13);
-      draw_rectangle(figure, at - Vec2d(2, 10), Vec2d(text_width(text, k_label) + 4, 13),
-                     {.color = "none", .fill = "paper", .fill_opacity = 0.8});
+      if (ring != rings.back())
+        draw_rectangle(figure, at - Vec2d(2, 10), Vec2d(text_width(text, k_label) + 4, 13),
+                       {.color = "none", .fill = "paper", .fill_opacity = 0.8});
       draw_text(figure, at, text, {k_label, Anchor::start, "soft"});
     } else {
       const bool is_last = ring == rings.back();

@@ -19,8 +19,8 @@
 #include <memory>
 #include <numbers>
 #include <random>
-#include <tuple>
 #include <sys/stat.h>
+#include <tuple>
 
 namespace {
 

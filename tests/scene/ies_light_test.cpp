@@ -26,7 +26,7 @@ const std::string k_lamp = "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 5 1 1 2 0 0 0\
                            "0 22.5 45 67.5 90\n0\n1000 800 500 200 0\n";
 // 300 cd upwards, V > 0, and 200 to the right, H > 0, of the aim's 1000.
 const std::string k_headlamp = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 3 3 2 0 0 0\n1 1 10\n"
-                               "-90 0 90\n-90 0 90\n0 0 0\n0 1000 300\n0 200 0\n";
+                               "-90 0 90\n-90 0 90\n0 0 300\n0 1000 300\n0 200 300\n";
 const json k_quarter_turn_about_x = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}; // -z goes to -y
 
 void write(const std::string& path, const std::string& text) {
