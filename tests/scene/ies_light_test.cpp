@@ -112,10 +112,12 @@ TEST_CASE("the_aim_of_every_photometric_type_is_minus_z_and_up_is_plus_x") {
         to_double(Vec3f(dot(world, light.right), dot(world, y), dot(world, light.direction))));
   };
   CHECK(towards({0, 0, -1}) == doctest::Approx(1000));
-  CHECK(towards({1, 0, 0}) == doctest::Approx(300)); // X/Z is the vertical plane
+  // Half way between the table's angles; X/Z is the vertical plane, V grows towards +X.
+  CHECK(towards({1, 0, -1}) == doctest::Approx(650).epsilon(1e-5));
+  CHECK(towards({-1, 0, -1}) == doctest::Approx(500).epsilon(1e-5));
   // Clockwise, against glTF's positive rotation: seen from +X, -Z turns to -Y.
-  CHECK(towards({0, -1, 0}) == doctest::Approx(200));
-  CHECK(towards({0, 1, 0}) == doctest::Approx(0));
+  CHECK(towards({0, -1, -1}) == doctest::Approx(600).epsilon(1e-5));
+  CHECK(towards({0, 1, -1}) == doctest::Approx(500).epsilon(1e-5));
 }
 
 TEST_CASE("a_light_ies_that_cannot_be_read_is_lost_alone") {
