@@ -113,7 +113,8 @@ TEST_CASE("a_floor_under_ext_lights_ies_has_the_lamps_luminance") {
   json square = file.square_primitive();
   square["material"] = material;
   const json down = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}; // +z goes to +y, -z to -y
-  file.add_mesh_node(square, {{"rotation", down}, {"scale", {4, 4, 4}}});
+  file.add_mesh_node(square,
+                     {{"rotation", down}, {"scale", {4, 4, 4}}, {"translation", {-2, 0, 2}}});
   const int camera = file.add(
       "cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.02}, {"znear", 0.1}}}});
   file.root["scenes"][0]["nodes"].push_back(
