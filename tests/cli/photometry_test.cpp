@@ -116,7 +116,7 @@ TEST_CASE("a_floor_under_ext_lights_ies_has_the_lamps_luminance") {
   file.add_mesh_node(square,
                      {{"rotation", down}, {"scale", {4, 4, 4}}, {"translation", {-2, 0, 2}}});
   const int camera = file.add(
-      "cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.02}, {"znear", 0.1}}}});
+      "cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.002}, {"znear", 0.1}}}});
   file.root["scenes"][0]["nodes"].push_back(
       file.add("nodes", {{"camera", camera}, {"rotation", down}, {"translation", {0, 3, 0}}}));
   file.root["extensions"]["EXT_lights_ies"]["lights"] = json::array({{{"uri", "lamp.ies"}}});
