@@ -6,6 +6,7 @@
 
 #include "cli/choice.h"
 #include "cli/commands.h"
+#include "cli/convert_photometry.h"
 #include "cli/convert_picture.h"
 #include "cli/convert_scene.h"
 #include "cli/fit_job.h"
@@ -15,6 +16,7 @@
 #include "cli/shape_options.h"
 #include "openltc/base/message.h"
 #include "openltc/fit/error.h"
+#include "openltc/light/photometry.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
@@ -136,14 +138,18 @@ int convert_polynomial(const ConvertArguments& arguments) {
 }
 
 int convert_lights(const ConvertArguments& arguments) {
+  const bool is_scene = is_scene_file(arguments.input);
   const bool asks_for_table = arguments.layout || arguments.from_layout || arguments.precision ||
                               arguments.size > 0 || !arguments.brdf.empty();
   if (asks_for_table)
     return fail("convert",
-                Error{arguments.input + ": holds a scene; --layout, --from-layout, --precision, "
-                                        "--size and --brdf are for tables"});
+                Error{fmt::format("{}: holds {}; --layout, --from-layout, --precision, --size and "
+                                  "--brdf are for tables",
+                                  arguments.input, is_scene ? "a scene" : "photometry")});
   const Status status =
-      convert_scene(arguments.input, arguments.output, arguments.emissive, arguments.quiet);
+      is_scene
+          ? convert_scene(arguments.input, arguments.output, arguments.emissive, arguments.quiet)
+          : convert_photometry(arguments.input, arguments.output, arguments.quiet);
   return status.ok() ? k_exit_ok : fail("convert", status.error());
 }
 
@@ -166,7 +172,8 @@ int run_convert(const ConvertArguments& arguments) {
   if (asks || (!arguments.asks_for_layout() && is_picture_file(arguments.input, arguments.output)))
     return convert_to_picture(arguments);
   if (is_polynomial_file(arguments.input)) return convert_polynomial(arguments);
-  if (is_scene_file(arguments.input)) return convert_lights(arguments);
+  if (is_scene_file(arguments.input) || light::is_photometric_name(arguments.input))
+    return convert_lights(arguments);
   if (Status status = table::check_packed_extension(arguments.output); !status)
     return fail("convert", status.error(), k_exit_usage);
   const Result<table::PackedTable> read =
@@ -208,9 +215,8 @@ int run_convert(const ConvertArguments& arguments) {
 void add_convert(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand(
-      "convert",
-      "Convert a lobe table to another layout, a scene's lights to EXT_lights_area, or a "
-      "picture to another format");
+      "convert", "Convert a lobe table to another layout, a scene's lights to EXT_lights_area, "
+                 "photometric files, or a picture to another format");
   command->footer(
       "The container is that of the extension of OUT: .dds .ktx2 .exr .npy .json, and as source\n"
       ".h (C and C++) .glsl .hlsl .wgsl .js. A table of two textures becomes OUT_1 and OUT_2 in\n"
@@ -220,7 +226,9 @@ void add_convert(CLI::App& app, int& exit_code) {
       "Layouts: native; ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP);\n"
       "godot; o3de. The error is measured again, through the look-up of the new layout.\n"
       "A scene (.gltf .glb) becomes a .glb whose rectangular and round lights, those of emissive\n"
-      "surfaces and of nodes' extras, are EXT_lights_area; everything else stays in it.\n"
+      "surfaces and of nodes' extras, are EXT_lights_area, and those with a photometric file\n"
+      "EXT_lights_ies; everything else stays in it. A photometric file (.ies .ldt) becomes an\n"
+      ".ies of LM-63-2002.\n"
       "A picture (.exr .hdr .png .jpg) becomes .exr, .hdr or .png. From linear to .png it is "
       "exposed\n"
       "and tone-mapped as by render, from .png or .jpg to .exr and .hdr decoded to linear light. "
@@ -234,7 +242,8 @@ void add_convert(CLI::App& app, int& exit_code) {
       "  openltc convert ggx.json ggx.ktx2 --layout o3de --size 32\n"
       "  openltc convert ltc_1.dds ltc.exr --from-layout ltc_code --brdf ggx\n"
       "  openltc convert room.gltf room_lights.glb --recognise-shapes\n"
-      "  openltc convert blender.exr:ViewLayer.Combined picture.png --exposure 10");
+      "  openltc convert blender.exr:ViewLayer.Combined picture.png --exposure 10\n"
+      "  openltc convert lamp.ldt lamp.ies");
   Choices<Layout> layouts;
   for (const Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);
@@ -246,8 +255,8 @@ void add_convert(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "input", arguments->input,
-          "Table: .json .dds .ktx2 .exr .npy; scene: .gltf .glb; or picture: .exr .hdr .png "
-          ".jpg")
+          "Table: .json .dds .ktx2 .exr .npy; scene: .gltf .glb; photometry: .ies .ldt; or "
+          "picture: .exr .hdr .png .jpg")
       ->required();
   command->add_option("output", arguments->output, "File to write")->required();
   command

@@ -36,12 +36,13 @@ struct Kind {
 };
 Result<Description> inspect_whole_picture(const std::string& path) { return inspect_picture(path); }
 constexpr Kind k_kinds[] = {
-    {".gltf", nullptr},       {".glb", nullptr},
-    {".exr", inspect_exr},    {".hdr", inspect_whole_picture},
-    {".json", inspect_table}, {".png", inspect_whole_picture},
-    {".dds", inspect_table},  {".jpg", inspect_whole_picture},
-    {".ktx2", inspect_table}, {".jpeg", inspect_whole_picture},
-    {".npy", inspect_table},
+    {".gltf", nullptr},           {".glb", nullptr},
+    {".exr", inspect_exr},        {".hdr", inspect_whole_picture},
+    {".json", inspect_table},     {".png", inspect_whole_picture},
+    {".dds", inspect_table},      {".jpg", inspect_whole_picture},
+    {".ktx2", inspect_table},     {".jpeg", inspect_whole_picture},
+    {".npy", inspect_table},      {".ies", inspect_photometry},
+    {".ldt", inspect_photometry},
 };
 
 Result<Description> describe(const std::string& path, const scene::EmissiveOptions& emissive) {
@@ -59,11 +60,11 @@ Result<Description> describe(const std::string& path, const scene::EmissiveOptio
       return kind.inspect ? kind.inspect(path) : inspect_scene(path, emissive);
     }
   if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
-  return Error{
-      fmt::format("{}: cannot tell what it is; known are scenes (.gltf .glb), pictures "
-                  "(.exr .hdr .png .jpg) and lobe tables or polynomials (.json .dds .ktx2 .exr "
-                  ".npy)",
-                  path)};
+  return Error{fmt::format(
+      "{}: cannot tell what it is; known are scenes (.gltf .glb), pictures "
+      "(.exr .hdr .png .jpg), photometric files (.ies .ldt) and lobe tables or polynomials "
+      "(.json .dds .ktx2 .exr .npy)",
+      path)};
 }
 
 int run_inspect(const InspectArguments& arguments) {
@@ -87,8 +88,8 @@ int run_inspect(const InspectArguments& arguments) {
 
 void add_inspect(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<InspectArguments>();
-  CLI::App* command =
-      app.add_subcommand("inspect", "Say what a file is: a scene, a picture or a lobe table");
+  CLI::App* command = app.add_subcommand(
+      "inspect", "Say what a file is: a scene, a picture, a luminaire or a lobe table");
   command->footer(
       "A scene (.gltf .glb): geometry, cameras by number and name, lights in nits, candela and\n"
       "lumens, and what the importer warns about. A picture (.exr .hdr .png .jpg): size, parts "
@@ -102,11 +103,15 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "attributes say so or NAME_1.exr and NAME_2.exr lie side by side. A lobe polynomial "
       "(.json):\n"
       "its metadata, errors, and the proof that none of its lobes turns inside out, made anew.\n"
+      "A photometric file (.ies .ldt): lumens, integrated and stated, peak, beam and field "
+      "angles,\n"
+      "symmetry, opening.\n"
       "\n"
       "Examples:\n"
       "  openltc inspect room.glb\n"
       "  openltc inspect truth.exr --json\n"
       "  openltc inspect blender.exr:ViewLayer.Normal\n"
+      "  openltc inspect lamp.ldt\n"
       "  openltc fit -o ggx.json && openltc inspect ggx.json\n"
       "  openltc inspect ltc_1.dds");
   command->add_option("file", arguments->path, "File to look at")->required();

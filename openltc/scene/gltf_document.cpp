@@ -269,6 +269,7 @@ void read_document(const Container& container, const std::string& base_dir, Docu
   load_views(root, buffers, document);
   list_images(root, document);
   read_extras(root, document);
+  document.ies_lights = list_ies_lights(root, document.warnings);
   reduce_for_tinygltf(root);
   const int placeholder = add_placeholder_view(root);
   parse_with_tinygltf(root, *document.model);
