@@ -60,7 +60,11 @@ Status check_outputs(const std::vector<std::string>& paths, bool with_standard_e
 }
 
 Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display) {
-  if (!display.ev100) return image::auto_exposure(radiance);
+  image::AutoExposureOptions options;
+  options.light = display.light_nits;
+  if (!display.ev100 && display.usual_exposure > 0)
+    return image::exposure_below_white(radiance, display.usual_exposure, options);
+  if (!display.ev100) return image::auto_exposure(radiance, options);
   const float exposure = image::exposure_from_ev100(*display.ev100);
   if (!(exposure > 0) || !std::isfinite(exposure))
     return Error{fmt::format("--exposure {}: out of range", *display.ev100)};

@@ -20,8 +20,8 @@ constexpr std::size_t k_samples = 1024;
 constexpr std::size_t k_most_lights = 32; // the strongest
 // What no light reaches is still worth a tenth: its outline is seen.
 constexpr double k_worth_in_the_dark = 0.1;
-// Lengths are relative to the subject.
-constexpr double k_off_surface = 1e-4;
+constexpr double k_worth_of_outside = 0.7;
+constexpr double k_off_surface = 1e-4; // of the scene's diagonal
 
 /// A light taken for a point that shines as its shape does from afar.
 struct LightPoint {
@@ -165,6 +165,21 @@ void weigh_by_light(std::vector<ViewSample>& samples, const scene::Scene& scene,
     }
 }
 
+// Of a wall with two sides the inner one is what there is to see: another surface faces it.
+void weigh_by_enclosure(std::vector<ViewSample>& samples, const scene::Scene& scene,
+                        const SightLines& sight) {
+  const double diagonal = scene::diagonal(scene.bounds);
+  for (ViewSample& sample : samples) {
+    if (!sample.two_sided) continue;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Vec3d outwards = side == 0 ? sample.normal : -sample.normal;
+      const Vec3d from = sample.position + outwards * (k_off_surface * diagonal);
+      if (sight.free_distance(from, outwards, diagonal) >= diagonal)
+        sample.worth[side] *= k_worth_of_outside;
+    }
+  }
+}
+
 } // namespace
 
 std::vector<ViewSample> sample_subject(const scene::Scene& scene, const scene::Subject& subject,
@@ -205,6 +220,7 @@ std::vector<ViewSample> sample_subject(const scene::Scene& scene, const scene::S
     samples.push_back(sample);
   }
   weigh_by_light(samples, scene, sight);
+  weigh_by_enclosure(samples, scene, sight);
   return samples;
 }
 
