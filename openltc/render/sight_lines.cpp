@@ -6,6 +6,8 @@
 #include "openltc/scene/backdrop.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,14 @@ constexpr std::size_t k_most_triangles = 300000;
 constexpr float k_faint_alpha = 0.5f;
 constexpr double k_end = 1e-4;            // of a line's length
 constexpr int k_most_layers_crossed = 64; // culled surfaces along one line
+
+// Embree's robust traversal has room for coordinates whose squares are floats, and no more.
+constexpr double k_largest_coordinate = 1e15;
+
+bool is_traceable(Vec3d p) {
+  return std::abs(p.x) < k_largest_coordinate && std::abs(p.y) < k_largest_coordinate &&
+         std::abs(p.z) < k_largest_coordinate;
+}
 
 bool hides(const scene::Material& material) {
   return material.alpha_mode == scene::AlphaMode::opaque ||
@@ -42,7 +52,10 @@ std::unique_ptr<scene::Scene> large_triangles(const scene::Scene& scene) {
     large->materials.back().double_sided = material.double_sided;
   }
   for (const scene::Mesh& mesh : scene.meshes) {
-    if (!hides(scene.materials[std::size_t(mesh.material)])) continue;
+    if (!hides(scene.materials[std::size_t(mesh.material)]) ||
+        !std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                     [](Vec3f p) { return is_traceable(to_double(p)); }))
+      continue;
     scene::Mesh kept;
     kept.material = mesh.material;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -96,7 +109,7 @@ void SightLines::trace(std::span<SightLine> lines, Blocks blocks) const {
       SightLine& line = lines[begin + i];
       lengths[i] = length(line.to - line.from);
       line.is_free = true;
-      if (!(lengths[i] > 0)) continue;
+      if (!(lengths[i] > 0) || !is_traceable(line.from) || !is_traceable(line.to)) continue;
       directions[i] = (line.to - line.from) / lengths[i];
       set_ray(rays, int(i), line.from, directions[i], k_end * lengths[i], (1 - k_end) * lengths[i]);
     }
@@ -122,6 +135,7 @@ void SightLines::trace(std::span<SightLine> lines, Blocks blocks) const {
 }
 
 double SightLines::free_distance(Vec3d origin, Vec3d direction, double far) const {
+  if (!is_traceable(origin) || !(far < k_largest_coordinate)) return far;
   RayPacket rays{};
   set_ray(rays, 0, origin, direction, 0, far);
   for (int layer = 0; layer < k_most_layers_crossed; ++layer) {

@@ -30,7 +30,8 @@ public:
     what_is_seen, ///< surfaces that show `to` a side which can be seen: fronts, or any if two-sided
     all           ///< every surface, as for light
   };
-  /// Finds out which lines are free, but for a ten-thousandth of their length at both ends.
+  /// Finds out which lines are free, but for a ten-thousandth of their length at both ends. What
+  /// lies beyond 1e15 m in any coordinate blocks nothing, and lines to there are free.
   void trace(std::span<SightLine> lines, Blocks blocks) const;
 
   /// Metres from `origin` along `direction` (unit) to the first surface that can be seen from
