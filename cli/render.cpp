@@ -417,8 +417,10 @@ void add_render(CLI::App& app, int& exit_code) {
       ->type_name(words_of(choices));
   add_shape_options(*command, a.emissive);
   command
-      ->add_option("--camera", a.camera,
-                   "Camera by name or number from 0; \"frame\" shows the whole scene [the first]")
+      ->add_option(
+          "--camera", a.camera,
+          "Camera by name or number from 0; \"frame\" shows what the scene is of, without its "
+          "ground and sky, from where most of it is seen [the first]")
       ->type_name("NAME|N|frame");
   command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]")
       ->type_name("WxH");
@@ -428,8 +430,10 @@ void add_render(CLI::App& app, int& exit_code) {
                    "studio rig alone 0.07, a dark grey]")
       ->type_name("NITS");
   command
-      ->add_option("--exposure", a.exposure,
-                   "EV100 or \"auto\", from the picture or for the studio rig; for .png only")
+      ->add_option(
+          "--exposure", a.exposure,
+          "EV100 or \"auto\", from the picture or for the studio rig, 99 % of the pixels below "
+          "white; for .png only")
       ->capture_default_str()
       ->type_name("EV100|auto");
   const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},

@@ -81,9 +81,11 @@ struct Interval {
   bool holds(double x) const { return lower <= x && x <= upper; }
 };
 
-bool is_ground_or_wall(const Scene& scene, const SubjectPart& part, const Bounds& rest) {
+enum class Thin { no, backdrop, other };
+
+Thin ground_or_wall(const Scene& scene, const SubjectPart& part, const Bounds& rest) {
   const MainNormal main = main_normal(scene, {part});
-  if (!(main.share > 0)) return false;
+  if (!(main.share > 0)) return Thin::no;
   const Vec3d n = main.normal;
   const Vec3d u = normalize(cross(n, std::abs(n.y) < 0.9 ? Vec3d(0, 1, 0) : Vec3d(1, 0, 0)));
   const Vec3d v = cross(n, u);
@@ -96,15 +98,15 @@ bool is_ground_or_wall(const Scene& scene, const SubjectPart& part, const Bounds
       across_v.add(dot(p, v));
     }
   const double diagonal = std::hypot(along.size(), across_u.size(), across_v.size());
-  if (along.size() > k_thin * diagonal) return false;
+  if (along.size() > k_thin * diagonal) return Thin::no;
   for (int i = 0; i < 8; ++i)
     of_rest.add(dot(n, Vec3d(double(i & 1 ? rest.upper.x : rest.lower.x),
                              double(i & 2 ? rest.upper.y : rest.lower.y),
                              double(i & 4 ? rest.upper.z : rest.lower.z))));
   const double rest_diagonal = length(to_double(rest.upper) - to_double(rest.lower));
   const Vec3d middle = (to_double(rest.lower) + to_double(rest.upper)) * 0.5;
-  return of_rest.size() >= k_stands_out * rest_diagonal && across_u.holds(dot(middle, u)) &&
-         across_v.holds(dot(middle, v));
+  const bool is_before = across_u.holds(dot(middle, u)) && across_v.holds(dot(middle, v));
+  return of_rest.size() >= k_stands_out * rest_diagonal && is_before ? Thin::backdrop : Thin::other;
 }
 
 // How far along `direction` from `origin` the plane of a triangle is met inside it, and whether on
@@ -161,7 +163,9 @@ Vec3d common_normal(const Scene& scene, const std::vector<SubjectPart>& parts) {
 }
 
 bool is_backdrop(const Scene& scene, const SubjectPart& part, const Bounds& rest) {
-  return is_ground_or_wall(scene, part, rest) || is_all_around(scene, part, rest);
+  const Thin thin = ground_or_wall(scene, part, rest);
+  // A thin part fills half of all directions of what lies flat on it, and is nothing around it.
+  return thin == Thin::no ? is_all_around(scene, part, rest) : thin == Thin::backdrop;
 }
 
 } // namespace openltc::scene

@@ -222,7 +222,7 @@ TEST_CASE("a closed room without lights gets one under its ceiling that makes wh
   for (const bool two_sided : {false, true}) {
     scene::Scene scene;
     add_room(scene, 2, 1.3f, 2.5f, none, two_sided);
-    add_sphere(scene, {0, -0.9f, -0.5f}, 0.4f, paint(false));
+    add_sphere(scene, {0, -0.75f, -0.5f}, 0.5f, paint(false));
     close(scene);
     const scene::Camera camera = look_at({0, 0, 2}, {0, -0.5f, -1}, 1);
     const auto lights = render::studio_for(scene, camera, 1);
