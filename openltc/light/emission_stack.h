@@ -50,6 +50,11 @@ Result<EmissionStack> build_emission_stack(const image::Image& picture, const Po
 Result<EmissionStack> build_emission_stack(const image::Image& picture, const EllipseLight& light,
                                            const EmissionStackOptions& options = {});
 
+/// Mean of a light's picture over the light, by which its flux is that of a white one: (1, 1, 1)
+/// when it has none, or one that cannot be its picture.
+Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Image>& textures);
+Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Image>& textures);
+
 /// Gives a light a picture: its corners are those of the light's bounding rectangle, its u axis
 /// runs along `u_axis` (world space, made perpendicular to the normal), and it is upright for who
 /// faces the light. `texture` is an index into Lights::textures.
