@@ -5,7 +5,7 @@
 
     tools/make_emissive_scenes.py FOLDER
 
-neon.glb         lettering of stroked, extruded glyphs, 8,320 triangles of 0.5 nits
+neon.glb         lettering of stroked, extruded glyphs, 8,300 triangles of 0.5 nits
 knot-N.glb       a glowing trefoil tube of N triangles, N = 96, 960 and 10,640, the same flux each
 overlapping.glb  10,000 quads of one mesh in one plane that overlap each other
 disk.glb         a fan of 40,000 triangles: a disk whose rim is finer than any eye

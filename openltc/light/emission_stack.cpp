@@ -301,6 +301,13 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
   if (!(mean[3] > 0)) return wrong_light(light.name, "its outline encloses nothing");
   stack.mean = Vec3f(mean[0], mean[1], mean[2]) / mean[3];
 
+  stack.cells = make_emission_cells(level.texels, level.columns, level.rows);
+  view.row_cdf = stack.cells.row_cdf.data();
+  view.cell_cdf = stack.cells.cell_cdf.data();
+  view.cell_columns = level.columns;
+  view.cell_rows = level.rows;
+  view.cell_share = stack.cells.share;
+
   for (;;) {
     const bool is_last = level.columns == 1 && level.rows == 1;
     if (is_last) level.texels = mean;

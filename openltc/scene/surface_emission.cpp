@@ -138,7 +138,7 @@ SurfaceEmission::Mean SurfaceEmission::mean_over(std::span<const Patch> patches)
       texture == alpha_ && texture ? material_.base_color_texture : material_.emission_texture;
   MeanSum mean;
   for (const Patch& patch : patches) {
-    double texels = 0, area = 0;
+    double texels = 0, along = 0, area = 0; // within the triangle, along its sides
     Vec2d uv[3] = {};
     const double width = texture ? texture->image.width : 1;
     const double height = texture ? texture->image.height : 1;
@@ -149,6 +149,9 @@ SurfaceEmission::Mean SurfaceEmission::mean_over(std::span<const Patch> patches)
       }
       area = doubled(uv[0], uv[1], uv[2]);
       texels = 0.5 * std::abs(area);
+      for (std::size_t c = 0; c < 3; ++c)
+        along =
+            std::max(along, std::hypot(uv[(c + 1) % 3].x - uv[c].x, uv[(c + 1) % 3].y - uv[c].y));
     }
     const auto place = [&](double b, double c) {
       return patch.corners[0] * (1 - b - c) + patch.corners[1] * b + patch.corners[2] * c;
@@ -171,7 +174,7 @@ SurfaceEmission::Mean SurfaceEmission::mean_over(std::span<const Patch> patches)
         }
     }
     if (count == 0) {
-      count = std::size_t(std::clamp(4 * texels, 16.0, 1024.0));
+      count = std::size_t(std::clamp(4 * std::max(texels, along), 16.0, 1024.0));
       for (std::size_t i = 0; i < count; ++i) {
         // Additive recurrence with the plastic number (M. Roberts, 2018), folded into the triangle.
         double a = std::fmod(0.5 + 0.7548776662466927 * double(i + 1), 1.0);
