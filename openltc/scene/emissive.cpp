@@ -7,12 +7,11 @@
 
 #include "openltc/scene/emissive.h"
 
-#include "openltc/light/curved.h"
 #include "openltc/light/polygon.h"
 #include "openltc/scene/emissive_texture.h"
 #include "openltc/scene/facet_planes.h"
 #include "openltc/scene/flat_part.h"
-#include "openltc/scene/recognise.h"
+#include "openltc/scene/round_parts.h"
 #include "openltc/scene/segment_grid.h"
 #include "openltc/scene/surface_emission.h"
 #include "openltc/scene/weld.h"
@@ -22,8 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <type_traits>
-#include <variant>
 
 namespace openltc::scene {
 
@@ -41,83 +38,6 @@ constexpr int k_least_picture_side = 64;
 constexpr double k_area_rounding = 1e-4;
 
 bool is_dark(Vec3f radiance) { return !(radiance.x > 0) && !(radiance.y > 0) && !(radiance.z > 0); }
-
-std::vector<Patch> patches_of_members(const WeldedMesh& welded,
-                                      std::span<const std::uint32_t> triangles) {
-  std::vector<Patch> patches;
-  for (const std::uint32_t i : triangles) {
-    Patch patch;
-    patch.triangle = welded.source[i];
-    patch.area = welded.areas[i];
-    patches.push_back(patch);
-  }
-  return patches;
-}
-
-// Moves a recognised light to where its mesh is.
-void move_by(light::EllipseLight& light, Vec3d offset) {
-  light.center = to_float(to_double(light.center) + offset);
-}
-void move_by(light::SphereLight& light, Vec3d offset) {
-  light.center = to_float(to_double(light.center) + offset);
-}
-void move_by(light::TubeLight& light, Vec3d offset) {
-  light.from = to_float(to_double(light.from) + offset);
-  light.to = to_float(to_double(light.to) + offset);
-}
-
-std::vector<light::EllipseLight>& list_of(light::Lights& lights, const light::EllipseLight&) {
-  return lights.ellipses;
-}
-std::vector<light::SphereLight>& list_of(light::Lights& lights, const light::SphereLight&) {
-  return lights.spheres;
-}
-std::vector<light::TubeLight>& list_of(light::Lights& lights, const light::TubeLight&) {
-  return lights.tubes;
-}
-
-// Adds `light` with its emission; false when it cannot be shaded.
-bool add_recognised(std::monostate, const Extent&, Vec3f, const Mesh&, bool, light::Lights&) {
-  return false;
-}
-template <class Light>
-bool add_recognised(Light light, const Extent& extent, Vec3f radiance, const Mesh& mesh,
-                    bool two_sided, light::Lights& lights) {
-  if (is_dark(radiance)) return true; // dark by texture
-  move_by(light, extent.center);
-  light.name = mesh.name;
-  light.radiance = radiance;
-  light.two_sided = two_sided && std::is_same_v<Light, light::EllipseLight>;
-  if (!light::validate(light).ok()) return false;
-  list_of(lights, light).push_back(std::move(light));
-  return true;
-}
-
-// Takes the islands that are round out of `welded` and adds them to `lights`.
-WeldedMesh take_round_parts(const WeldedMesh& welded, const Mesh& mesh, const Extent& extent,
-                            bool two_sided, const EmissiveOptions& options,
-                            const SurfaceEmission& emission, EmissiveLights& result) {
-  std::vector<std::uint32_t> left;
-  for (const auto& triangles : islands_of(welded)) {
-    const Island island{welded, triangles, two_sided, options.shape_tolerance};
-    const RoundShape shape = recognise_shape(island, extent.plane);
-    SurfaceEmission::Mean mean;
-    if (shape.index() != 0) mean = emission.mean_over(patches_of_members(welded, triangles));
-    // A flat light with a picture keeps it as a polygon.
-    const bool is_pictured = !mean.is_uniform && std::holds_alternative<light::EllipseLight>(shape);
-    const bool is_light =
-        shape.index() != 0 && !is_pictured &&
-        std::visit(
-            [&](const auto& light) {
-              return add_recognised(light, extent, mean.radiance, mesh, two_sided, result.lights);
-            },
-            shape);
-    if (is_light) result.is_texture_averaged = result.is_texture_averaged || !mean.is_uniform;
-    if (!is_light) left.insert(left.end(), triangles.begin(), triangles.end());
-  }
-  std::sort(left.begin(), left.end());
-  return part_of(welded, left);
-}
 
 // Makes the lights of a mesh, plane by plane.
 class LightMaker {
@@ -270,7 +190,7 @@ std::vector<FacetPlane> join_if_many(const WeldedMesh& welded, const Extent& ext
   if (planes.size() <= options.few_planes) return planes;
   std::vector<Vec3f> radiances;
   for (const FacetPlane& plane : planes)
-    radiances.push_back(emission.mean_over(patches_of_members(welded, plane.members)).radiance);
+    radiances.push_back(emission.mean_over(patches_of(welded, plane.members)).radiance);
   const JoinLimits limits{options.join_distance * extent.diagonal + extent.weld,
                           options.join_angle_rad, options.join_radiance};
   return join_planes(welded, std::move(planes), radiances, limits, two_sided);
@@ -290,7 +210,8 @@ EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
   const bool two_sided = material.double_sided;
   const SurfaceEmission emission(mesh, material, textures);
   if (options.recognise_shapes)
-    welded = take_round_parts(welded, mesh, extent, two_sided, options, emission, result);
+    welded = take_round_parts(welded, mesh, extent, two_sided, options.shape_tolerance, emission,
+                              result.lights, result.is_texture_averaged);
   const std::vector<FacetPlane> planes =
       join_if_many(welded, extent, find_planes(welded, extent, options.plane_angle_rad, two_sided),
                    emission, options, two_sided);

@@ -19,6 +19,11 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
+// Facets that differ by little in normal and offset, but lie in planes of their own, are compared
+// with each other. After so many comparisons, a second's work, what is left is taken triangle by
+// triangle: join_planes puts neighbours together.
+constexpr std::size_t k_most_comparisons = 100'000'000;
+
 class PlaneFinder {
 public:
   PlaneFinder(const WeldedMesh& mesh, const Extent& extent, double angle_rad, bool two_sided)
@@ -56,6 +61,12 @@ private:
 
   FacetPlane collect(std::uint32_t seed) {
     FacetPlane plane;
+    if (comparisons_ > k_most_comparisons) {
+      is_taken_[seed] = true;
+      plane.members = {seed};
+      plane.triangles = {mesh_.triangles[seed]};
+      return plane;
+    }
     const Vec3d normal = mesh_.normals[seed];
     const double offset = offset_of(seed);
     gather(normal, offset, normal, offset, false, plane);
@@ -72,6 +83,7 @@ private:
       const auto found = grid_.find(cell);
       if (found == grid_.end()) return;
       std::vector<std::uint32_t>& candidates = found->second;
+      comparisons_ += candidates.size();
       std::size_t left = 0;
       for (const std::uint32_t candidate : candidates) {
         if (is_taken_[candidate]) continue;
@@ -116,6 +128,7 @@ private:
   double normal_cell_;
   double offset_cell_;
   std::vector<bool> is_taken_;
+  std::size_t comparisons_ = 0;
   Grid grid_;
 };
 

@@ -12,9 +12,10 @@ namespace openltc::scene {
 
 namespace {
 
-// Up to so many texels a triangle has well-spread samples, above it all its texels are looked at,
-// up to the second number; beyond that every second one along each side, and so on.
-constexpr double k_few_texels = 256, k_most_texels = 4e6;
+// Up to so many texels a triangle has well-spread samples, above it all its texels are looked at.
+// Beyond its share of the second number, for the whole mesh, or beyond the third by itself, it is
+// every second one along each side, and so on.
+constexpr double k_few_texels = 256, k_most_texels = 3e7, k_most_texels_each = 4e6;
 
 std::int64_t wrapped(std::int64_t i, std::int64_t size, Wrap mode) {
   if (mode == Wrap::clamp_to_edge) return std::clamp<std::int64_t>(i, 0, size - 1);
@@ -136,6 +137,8 @@ SurfaceEmission::Mean SurfaceEmission::mean_over(std::span<const Patch> patches)
     return {material_.emission * at(patches[0].triangle, Vec3d(1, 0, 0)), true};
   const TextureRef& ref =
       texture == alpha_ && texture ? material_.base_color_texture : material_.emission_texture;
+  const double most_texels = std::clamp(k_most_texels / double(mesh_.triangles.size()),
+                                        4 * k_few_texels, k_most_texels_each);
   MeanSum mean;
   for (const Patch& patch : patches) {
     double texels = 0, along = 0, area = 0; // within the triangle, along its sides
@@ -161,7 +164,7 @@ SurfaceEmission::Mean SurfaceEmission::mean_over(std::span<const Patch> patches)
     own.sum = Vec3d(0, 0, 0);
     if (texels > k_few_texels && texels < 1e15) {
       // Centres of texels within the triangle.
-      const double stride = std::max(std::ceil(std::sqrt(texels / k_most_texels)), 1.0);
+      const double stride = std::max(std::ceil(std::sqrt(texels / most_texels)), 1.0);
       const auto [low_x, high_x] = std::minmax({uv[0].x, uv[1].x, uv[2].x});
       const auto [low_y, high_y] = std::minmax({uv[0].y, uv[1].y, uv[2].y});
       for (double y = std::floor(low_y) + 0.5; y < high_y; y += stride)
@@ -200,6 +203,17 @@ SurfaceEmission::Mean SurfaceEmission::mean_over(std::span<const Patch> patches)
 bool SurfaceEmission::place_texture_on(light::PolygonLight& light, const FlatPart& part) const {
   return glow_ && !is_cut_ &&
          place_emission_texture(mesh_, material_.emission_texture, *glow_, part.source, light);
+}
+
+std::vector<Patch> patches_of(const WeldedMesh& welded, std::span<const std::uint32_t> triangles) {
+  std::vector<Patch> patches;
+  for (const std::uint32_t i : triangles) {
+    Patch patch;
+    patch.triangle = welded.source[i];
+    patch.area = welded.areas[i];
+    patches.push_back(patch);
+  }
+  return patches;
 }
 
 std::vector<Patch> patches_of(const FlatPart& part, const Mesh& mesh, const Extent& extent) {

@@ -67,6 +67,9 @@ private:
   bool has_alpha_ = false, has_vertex_alpha_ = false, is_cut_ = false;
 };
 
+/// The triangles with these numbers, as they are in their mesh.
+std::vector<Patch> patches_of(const WeldedMesh& welded, std::span<const std::uint32_t> triangles);
+
 /// The triangles of `part` as parts of those of the mesh.
 std::vector<Patch> patches_of(const FlatPart& part, const Mesh& mesh, const Extent& extent);
 
