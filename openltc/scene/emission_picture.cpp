@@ -9,6 +9,7 @@
 #include "openltc/light/emission_stack.h"
 #include "openltc/scene/emissive_texture.h"
 #include "openltc/scene/surface_emission.h"
+#include "openltc/scene/triangle_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,14 +177,15 @@ image::Image SurfaceEmission::picture_of(const FlatPart& part, const Mesh& mesh,
       c[k] = frame.at(part.points[part.triangles[i][k]] + extent.center);
     const double area =
         (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
-    if (!(std::abs(area) > 0)) continue;
+    if (!(std::abs(area) > 0) || !std::isfinite(area)) continue;
     const auto first = [](double low, int count) {
       return int(std::clamp(std::floor(low), 0.0, double(count - 1)));
     };
-    const auto [low_x, high_x] = std::minmax({c[0].x, c[1].x, c[2].x});
     const auto [low_y, high_y] = std::minmax({c[0].y, c[1].y, c[2].y});
-    for (int y = first(low_y, frame.height); y <= first(high_y, frame.height); ++y)
-      for (int x = first(low_x, frame.width); x <= first(high_x, frame.width); ++x) {
+    for (int y = first(low_y, frame.height); y <= first(high_y, frame.height); ++y) {
+      const RowRange range = row_range(c, y, y + 1);
+      if (!(range.low <= range.high)) continue;
+      for (int x = first(range.low, frame.width); x <= first(range.high, frame.width); ++x) {
         Pixel& pixel = pixels[std::size_t(y) * width + std::size_t(x)];
         if (pixel.places == all) continue;
         for (int k = 0; k < across * across; ++k) {
@@ -200,6 +202,7 @@ image::Image SurfaceEmission::picture_of(const FlatPart& part, const Mesh& mesh,
           pixel.places = std::uint16_t(pixel.places | (1u << k));
         }
       }
+    }
   }
 
   image::Image picture(frame.width, frame.height, 3);

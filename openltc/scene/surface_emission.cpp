@@ -4,9 +4,11 @@
 #include "openltc/scene/surface_emission.h"
 
 #include "openltc/scene/emissive_texture.h"
+#include "openltc/scene/triangle_rows.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace openltc::scene {
 
@@ -16,6 +18,8 @@ namespace {
 // Beyond its share of the second number, for the whole mesh, or beyond the third by itself, it is
 // every second one along each side, and so on.
 constexpr double k_few_texels = 256, k_most_texels = 3e7, k_most_texels_each = 4e6;
+// Texels along a side; what is longer repeats its texture so often that samples tell its mean.
+constexpr double k_longest_side = 1e6, k_largest_coordinate = 1e12;
 
 std::int64_t wrapped(std::int64_t i, std::int64_t size, Wrap mode) {
   if (mode == Wrap::clamp_to_edge) return std::clamp<std::int64_t>(i, 0, size - 1);
@@ -150,6 +154,11 @@ SurfaceEmission::Mean SurfaceEmission::mean_over(std::span<const Patch> patches)
         const Vec2d at_corner = coordinates(ref, patch.triangle, patch.corners[c]);
         uv[c] = {at_corner.x * width, at_corner.y * height};
       }
+      // Coordinates beyond all sense, or none at all, are met by a few samples.
+      const bool is_sane = std::all_of(std::begin(uv), std::end(uv), [](Vec2d p) {
+        return std::abs(p.x) < k_largest_coordinate && std::abs(p.y) < k_largest_coordinate;
+      });
+      if (!is_sane) std::fill(std::begin(uv), std::end(uv), Vec2d(0, 0));
       area = doubled(uv[0], uv[1], uv[2]);
       texels = 0.5 * std::abs(area);
       for (std::size_t c = 0; c < 3; ++c)
@@ -162,19 +171,20 @@ SurfaceEmission::Mean SurfaceEmission::mean_over(std::span<const Patch> patches)
     std::size_t count = 0;
     MeanSum own = mean;
     own.sum = Vec3d(0, 0, 0);
-    if (texels > k_few_texels && texels < 1e15) {
+    if (texels > k_few_texels && along < k_longest_side) {
       // Centres of texels within the triangle.
       const double stride = std::max(std::ceil(std::sqrt(texels / most_texels)), 1.0);
-      const auto [low_x, high_x] = std::minmax({uv[0].x, uv[1].x, uv[2].x});
       const auto [low_y, high_y] = std::minmax({uv[0].y, uv[1].y, uv[2].y});
-      for (double y = std::floor(low_y) + 0.5; y < high_y; y += stride)
-        for (double x = std::floor(low_x) + 0.5; x < high_x; x += stride) {
+      for (double y = std::floor(low_y) + 0.5; y < high_y; y += stride) {
+        const RowRange range = row_range(uv, y, y);
+        for (double x = std::floor(range.low) + 0.5; x < range.high; x += stride) {
           const double b = doubled(uv[0], {x, y}, uv[2]) / area;
           const double c = doubled(uv[0], uv[1], {x, y}) / area;
           if (b < 0 || c < 0 || b + c > 1) continue;
           own.add(at(patch.triangle, place(b, c)), 1);
           ++count;
         }
+      }
     }
     if (count == 0) {
       count = std::size_t(std::clamp(4 * std::max(texels, along), 16.0, 1024.0));
