@@ -116,12 +116,9 @@ image::Image SurfaceEmission::picture_of(const FlatPart& part, const Mesh& mesh,
   if (texture) {
     const TextureRef& ref =
         texture == alpha_ ? material_.base_color_texture : material_.emission_texture;
-    Texture endless; // of the same size, which shows its picture anywhere
-    endless.image.width = texture->image.width;
-    endless.image.height = texture->image.height;
-    endless.image.data.resize(1);
-    endless.wrap_u = endless.wrap_v = Wrap::clamp_to_edge;
-    is_placed = place_emission_texture(mesh, ref, endless, part.source, light);
+    // It may show its picture as often as it likes.
+    is_placed = place_texture(mesh, ref, texture->image.width, texture->image.height,
+                              Wrap::clamp_to_edge, Wrap::clamp_to_edge, part.source, light);
   }
   if (is_placed) {
     frame = frame_of(light);
