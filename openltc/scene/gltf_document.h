@@ -7,6 +7,7 @@
 
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_extras.h"
+#include "openltc/scene/gltf_ies_light.h"
 #include "openltc/scene/warnings.h"
 
 #include <cstddef>
@@ -54,6 +55,8 @@ struct Document {
   std::vector<ImageSource> images;
   std::vector<NodeExtras> extras;            ///< of each node
   std::map<std::string, int> light_textures; ///< by reference: index into Lights::textures
+  IesLights ies_lights; ///< of EXT_lights_ies
+  ProfileFiles profiles;
   std::size_t skin_count = 0;
   std::size_t animation_count = 0;
   Warnings warnings;
