@@ -50,8 +50,8 @@ TreeLight tree_light(const light::TubeLight& light);
 TreeLight tree_light(const light::LineLight& light);
 
 /// The same light with a picture on it, by which its radiance is multiplied from place to place:
-/// `peak` its largest values, `mean` those over the light, by channel, of which a hundredth is added
-/// for what they are off by. It has no far form.
+/// `peak` its largest values, `mean` those over the light, by channel, of which a hundredth is
+/// added for what they are off by. It has no far form.
 TreeLight textured(TreeLight light, Vec3f peak, Vec3f mean);
 
 /// A group of lights, one at least.
