@@ -7,6 +7,7 @@
 #include "cli/inspect.h"
 #include "openltc/image/tonemap.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/emission_stack.h"
 #include "openltc/light/ies.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/units.h"
@@ -158,10 +159,21 @@ ShapeDescription describe_shape(const light::TubeLight& light) {
                       light.caps == light::TubeCaps::none ? "open" : caps)};
 }
 
-template <class Light> void describe_light(const Light& light, Description& out, bool is_listed) {
+Vec3f picture_mean(const light::Emitter&, const light::Lights&) { return Vec3f(1.0f); }
+Vec3f picture_mean(const light::PolygonLight& light, const light::Lights& lights) {
+  return light::mean_of_picture(light, lights.textures);
+}
+Vec3f picture_mean(const light::EllipseLight& light, const light::Lights& lights) {
+  return light::mean_of_picture(light, lights.textures);
+}
+
+template <class Light>
+void describe_light(const Light& light, const light::Lights& lights, Description& out,
+                    bool is_listed) {
   const ShapeDescription shape = describe_shape(light);
   const double area = light::area(light);
-  const double lumens = double(image::luminance(light::flux_lumens(light)));
+  const double lumens =
+      double(image::luminance(light::flux_lumens(light) * picture_mean(light, lights)));
   const float nits = image::luminance(light.radiance);
   Json json = {{"name", light.name}, {"type", shape.type}};
   json.update(shape.json);
@@ -177,7 +189,7 @@ template <class Light> void describe_light(const Light& light, Description& out,
   }
   if (light.texture >= 0) {
     json["texture"] = light.texture;
-    more += ", textured (nits and lumens where it is white)";
+    more += ", textured (nits where it is white)";
   }
   out.json["lights"].push_back(json);
   if (is_listed)
@@ -185,7 +197,8 @@ template <class Light> void describe_light(const Light& light, Description& out,
                             light.name, shape.text, area, nits, lumens, more);
 }
 
-void describe_light(const light::LineLight& light, Description& out, bool is_listed) {
+void describe_light(const light::LineLight& light, const light::Lights&, Description& out,
+                    bool is_listed) {
   const double metres = length_between(light.from, light.to);
   const float strength = image::luminance(light.intensity_per_metre);
   const double lumens = double(image::luminance(light::flux_lumens(light)));
@@ -244,7 +257,7 @@ void describe_lights(const light::Lights& lights, Description& out) {
   out.json["lights"] = Json::array();
   std::size_t listed = 0;
   lights.for_each_area_light(
-      [&](const auto& light) { describe_light(light, out, listed++ < k_max_listed); });
+      [&](const auto& light) { describe_light(light, lights, out, listed++ < k_max_listed); });
   for (const light::PunctualLight& light : lights.punctual)
     describe_punctual(light, out, listed++ < k_max_listed);
   if (listed == 0) out.text += "light      none; a studio rig will light it\n";

@@ -301,6 +301,13 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
   if (!(mean[3] > 0)) return wrong_light(light.name, "its outline encloses nothing");
   stack.mean = Vec3f(mean[0], mean[1], mean[2]) / mean[3];
 
+  stack.cells = make_emission_cells(level.texels, level.columns, level.rows);
+  view.row_cdf = stack.cells.row_cdf.data();
+  view.cell_cdf = stack.cells.cell_cdf.data();
+  view.cell_columns = level.columns;
+  view.cell_rows = level.rows;
+  view.cell_share = stack.cells.share;
+
   for (;;) {
     const bool is_last = level.columns == 1 && level.rows == 1;
     if (is_last) level.texels = mean;
@@ -382,6 +389,13 @@ void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) 
   light.texture_v = Vec3f(values[0], values[1], values[2]);
 }
 
+template <class Light>
+Vec3f picture_mean(const Light& light, const std::vector<image::Image>& textures) {
+  if (light.texture < 0 || std::size_t(light.texture) >= textures.size()) return Vec3f(1.0f);
+  const auto stack = build_emission_stack(textures[std::size_t(light.texture)], light, {256});
+  return stack.ok() ? stack->mean : Vec3f(1.0f);
+}
+
 } // namespace
 
 Result<EmissionStack> build_emission_stack(const image::Image& picture, const PolygonLight& light,
@@ -406,6 +420,14 @@ Result<EmissionStack> build_emission_stack(const image::Image& picture, const El
   Box box;
   const EllipseOutline outline = outline_of(light, frame, box);
   return build(picture, light, frame, outline, box, options);
+}
+
+Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Image>& textures) {
+  return picture_mean(light, textures);
+}
+
+Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Image>& textures) {
+  return picture_mean(light, textures);
 }
 
 void place_picture(PolygonLight& light, int texture, Vec3f u_axis) {

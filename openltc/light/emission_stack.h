@@ -13,6 +13,7 @@
 
 #include "openltc/base/result.h"
 #include "openltc/image/image.h"
+#include "openltc/light/emission_cells.h"
 #include "openltc/light/light.h"
 #include "openltc/target/resources.h"
 
@@ -24,7 +25,7 @@ namespace openltc::light {
 
 struct EmissionStackOptions {
   /// Columns and rows of the finest level, at most; a larger picture is reduced first, by the mean
-  /// of what falls together. A power of two. 1024 makes 22 MB at most.
+  /// of what falls together. A power of two. 1024 makes 26 MB at most.
   int max_side = 1024;
 };
 
@@ -32,6 +33,7 @@ struct EmissionStackOptions {
 struct EmissionStack {
   std::vector<float> texels;
   std::vector<std::int32_t> levels;
+  EmissionCells cells;
   EmissionTextureView view; ///< points into the vectors above and to the picture
   Vec3f mean{0, 0, 0};      ///< of the picture over the light
 
@@ -49,6 +51,11 @@ Result<EmissionStack> build_emission_stack(const image::Image& picture, const Po
                                            const EmissionStackOptions& options = {});
 Result<EmissionStack> build_emission_stack(const image::Image& picture, const EllipseLight& light,
                                            const EmissionStackOptions& options = {});
+
+/// Mean of a light's picture over the light, by which its flux is that of a white one: (1, 1, 1)
+/// when it has none, or one that cannot be its picture.
+Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Image>& textures);
+Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Image>& textures);
 
 /// Gives a light a picture: its corners are those of the light's bounding rectangle, its u axis
 /// runs along `u_axis` (world space, made perpendicular to the normal), and it is upright for who

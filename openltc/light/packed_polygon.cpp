@@ -57,11 +57,18 @@ std::vector<Triangle> triangulate(const std::vector<Edge>& edges) {
       if (area_of(triangle) > 0) triangles.push_back(triangle);
   };
   std::vector<Trapezoid> open, next;
+  // Edges by their lower ends, and those that cross the slab in work: only edges come and go.
+  std::vector<const Edge*> by_start, crossing;
+  for (const Edge& e : edges)
+    by_start.push_back(&e);
+  std::stable_sort(by_start.begin(), by_start.end(),
+                   [](const Edge* p, const Edge* q) { return p->lower.y < q->lower.y; });
+  std::size_t started = 0;
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
     const double y0 = heights[i], y1 = heights[i + 1], middle = 0.5 * (y0 + y1);
-    std::vector<const Edge*> crossing;
-    for (const Edge& e : edges)
-      if (e.lower.y <= y0 && e.upper.y >= y1) crossing.push_back(&e);
+    std::erase_if(crossing, [&](const Edge* e) { return e->upper.y <= y0; });
+    for (; started < by_start.size() && by_start[started]->lower.y <= y0; ++started)
+      crossing.push_back(by_start[started]);
     std::sort(crossing.begin(), crossing.end(),
               [&](const Edge* p, const Edge* q) { return x_at(*p, middle) < x_at(*q, middle); });
     next.clear();

@@ -212,9 +212,9 @@ TreeLight tree_light(const light::SphereLight& light) { return {extent_of(light)
 TreeLight tree_light(const light::TubeLight& light) { return {extent_of(light), {}}; }
 TreeLight tree_light(const light::LineLight& light) { return {extent_of(light), {}}; }
 
-TreeLight textured(TreeLight light, float peak) {
-  light.extent.radiance *= peak;
-  light.extent.intensity *= peak;
+TreeLight textured(TreeLight light, Vec3f peak, Vec3f mean) {
+  light.extent.radiance = light.extent.radiance * peak;
+  light.extent.intensity = light.extent.intensity * mean * 1.01f;
   light.far = {};
   return light;
 }

@@ -49,9 +49,10 @@ TreeLight tree_light(const light::SphereLight& light);
 TreeLight tree_light(const light::TubeLight& light);
 TreeLight tree_light(const light::LineLight& light);
 
-/// The same light with a picture on it whose largest value is `peak`, by which its radiance is
-/// multiplied from place to place. It has no far form.
-TreeLight textured(TreeLight light, float peak);
+/// The same light with a picture on it, by which its radiance is multiplied from place to place:
+/// `peak` its largest values, `mean` those over the light, by channel, of which a hundredth is
+/// added for what they are off by. It has no far form.
+TreeLight textured(TreeLight light, Vec3f peak, Vec3f mean);
 
 /// A group of lights, one at least.
 TreeLight united(std::span<const TreeLight> lights);

@@ -70,7 +70,7 @@ int emission_side(const light::Lights& lights) {
   int count = 0;
   lights.for_each_area_light([&](const light::Emitter& light) { count += light.texture >= 0; });
   int side = light::EmissionStackOptions().max_side;
-  while (side > 64 && double(side) * side * 16 * 4 / 3 * count > k_emission_bytes)
+  while (side > 64 && double(side) * side * (16 * 4 / 3 + 5) * count > k_emission_bytes)
     side /= 2;
   return side;
 }
@@ -98,10 +98,15 @@ void pack_emission(const Light& light, const light::Lights& lights, int side, Ar
   }
 }
 
-float largest_value(const image::Image& picture) {
-  float largest = 0;
-  for (const float v : picture.data)
-    if (v > largest) largest = v;
+Vec3f largest_values(const image::Image& picture) {
+  Vec3f largest(0.0f);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const Vec3f value = picture.rgb(x, y);
+      if (value.x > largest.x) largest.x = value.x;
+      if (value.y > largest.y) largest.y = value.y;
+      if (value.z > largest.z) largest.z = value.z;
+    }
   return largest;
 }
 
@@ -126,7 +131,8 @@ LightSet pack_lights(const light::Lights& lights) {
     set.area_lights.push_back(view);
     TreeLight in_tree = tree_light(light);
     if (view.emission.texels)
-      in_tree = textured(in_tree, largest_value(lights.textures[std::size_t(light.texture)]));
+      in_tree = textured(in_tree, largest_values(lights.textures[std::size_t(light.texture)]),
+                         set.emissions.back().mean);
     set.tree_lights.push_back(in_tree);
   });
   for (const light::PunctualLight& light : lights.punctual) {

@@ -19,6 +19,21 @@ struct EmissiveOptions {
   double weld = 1e-6;               ///< vertices closer than this are one
   double plane = 1e-4;              ///< triangles whose corners are this close to a plane lie in it
   double plane_angle_rad = 0.01745; ///< and whose normal is this close to the plane's (1 degree)
+  /// Of more planes than this, nearly coplanar ones that share edges are joined: no corner leaves
+  /// the joined plane by more than join_distance (relative to the diagonal), no normal by more than
+  /// join_angle_rad (5 degrees), no radiance differs by more than join_radiance of the larger. A
+  /// joined light has the flux of its facets; what it sends into a direction in which they all
+  /// shine is off by 1 / cos(5 degrees) - 1 = 0.4 % at most.
+  std::size_t few_planes = 64;
+  double join_distance = 1e-3;
+  double join_angle_rad = 0.0873;
+  double join_radiance = 0.05;
+  /// Outlines of more corners lose those within `plane` of an edge, and are cut into several
+  /// lights.
+  std::size_t most_corners = 64;
+  /// Pictures that are made of emission that alpha cuts: pixels on a side, and in all.
+  int most_picture_side = 1024;
+  std::size_t most_picture_pixels = std::size_t(1) << 24;
   /// Whether parts that hang together and are a sphere, a disk, an ellipse or a cylinder become
   /// such lights, of the same area.
   bool recognise_shapes = false;
@@ -30,15 +45,21 @@ struct EmissiveOptions {
 /// What became of an emissive mesh.
 struct EmissiveLights {
   light::Lights lights;
-  bool is_texture_averaged = false;       ///< its emission texture is neither uniform nor a picture
+  /// What lights have whose `texture` is not below textures.size(): pictures[texture - that size].
+  std::vector<image::Image> pictures;
+  bool is_texture_averaged = false; ///< its emission texture is neither uniform nor a picture
+  bool is_tangled = false;          ///< facets overlap so often that a picture stands for them
   std::size_t triangles_without_area = 0; ///< left out
 };
 
 /// The lights of `mesh`: one polygon for each plane in which emissive triangles lie, with as many
-/// outlines as the plane has islands and holes, and one light for each part that is recognised.
+/// outlines as the plane has islands and holes, several where the outline is large, and one light
+/// for each part that is recognised. What overlaps in a plane shines once.
+/// Emission counts where the surface is: of alphaMode MASK and BLEND the share that alpha leaves.
 /// An emission texture that lies evenly in a plane becomes the polygon's picture, its `texture` an
-/// index into `textures`; otherwise the radiance is material.emission times the texture's mean over
-/// the surface. One-sided unless the material is double-sided; closed shapes emit outwards in any
+/// index into `textures`; where alpha varies a picture is made of both. On curved surfaces, and
+/// where a texture lies otherwise, the radiance is material.emission times the mean over the
+/// surface. One-sided unless the material is double-sided; closed shapes emit outwards in any
 /// case. Empty when nothing is emitted.
 EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
                                const std::vector<Texture>& textures,

@@ -42,8 +42,16 @@ bool unwrap(double lowest, double highest, double tolerance, Wrap wrap, double& 
 
 bool place_emission_texture(const Mesh& mesh, const TextureRef& ref, const Texture& texture,
                             std::span<const std::uint32_t> triangles, light::PolygonLight& light) {
+  return !texture.image.empty() &&
+         place_texture(mesh, ref, texture.image.width, texture.image.height, texture.wrap_u,
+                       texture.wrap_v, triangles, light);
+}
+
+bool place_texture(const Mesh& mesh, const TextureRef& ref, int width, int height, Wrap wrap_u,
+                   Wrap wrap_v, std::span<const std::uint32_t> triangles,
+                   light::PolygonLight& light) {
   const auto& tex_coord = ref.tex_coord == 0 ? mesh.tex_coord_0 : mesh.tex_coord_1;
-  if (tex_coord.empty() || texture.image.empty() || triangles.empty()) return false;
+  if (tex_coord.empty() || triangles.empty()) return false;
   std::vector<Corner> corners;
   Vec3d middle{0, 0, 0};
   Vec2d mean{0, 0};
@@ -77,8 +85,8 @@ bool place_emission_texture(const Mesh& mesh, const TextureRef& ref, const Textu
   const Vec2d g_f = (f_uv * ee - e_uv * ef) * (1 / determinant);
 
   // Every corner's own coordinates follow from the map.
-  const Vec2d tolerance(std::max(k_tolerance, k_texel_tolerance / texture.image.width),
-                        std::max(k_tolerance, k_texel_tolerance / texture.image.height));
+  const Vec2d tolerance(std::max(k_tolerance, k_texel_tolerance / width),
+                        std::max(k_tolerance, k_texel_tolerance / height));
   Vec2d lowest = corners[0].uv, highest = lowest;
   for (const Corner& corner : corners) {
     const Vec2d mapped = mean + g_e * dot(corner.p - middle, e) + g_f * dot(corner.p - middle, f);
@@ -89,8 +97,8 @@ bool place_emission_texture(const Mesh& mesh, const TextureRef& ref, const Textu
     highest = {std::max(highest.x, corner.uv.x), std::max(highest.y, corner.uv.y)};
   }
   double shift_u = 0, shift_v = 0;
-  if (!unwrap(lowest.x, highest.x, tolerance.x, texture.wrap_u, shift_u) ||
-      !unwrap(lowest.y, highest.y, tolerance.y, texture.wrap_v, shift_v))
+  if (!unwrap(lowest.x, highest.x, tolerance.x, wrap_u, shift_u) ||
+      !unwrap(lowest.y, highest.y, tolerance.y, wrap_v, shift_v))
     return false;
 
   // Where uv is (0, 0): g_e x + g_f y = -(c + shift). A map that squeezes the light onto a line of

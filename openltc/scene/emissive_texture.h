@@ -20,6 +20,11 @@ namespace openltc::scene {
 bool place_emission_texture(const Mesh& mesh, const TextureRef& ref, const Texture& texture,
                             std::span<const std::uint32_t> triangles, light::PolygonLight& light);
 
+/// The same for a texture of that size and those samplers, whatever is in it; the map alone counts.
+bool place_texture(const Mesh& mesh, const TextureRef& ref, int width, int height, Wrap wrap_u,
+                   Wrap wrap_v, std::span<const std::uint32_t> triangles,
+                   light::PolygonLight& light);
+
 /// Index into scene.lights.textures of scene.textures[texture], which is copied there when it is
 /// not yet in `known`: for each of scene.textures its index there or -1.
 int share_emission_texture(Scene& scene, int texture, std::vector<int>& known);

@@ -10,6 +10,8 @@
 
 #include "openltc/scene/outline.h"
 
+#include "openltc/scene/segment_grid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -23,8 +25,12 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-// Splitting at T-junctions compares edges with vertices; beyond this it is not worth its time.
+// Splitting at T-junctions compares edges with the vertices near them; beyond this it is not worth
+// its time.
 constexpr std::size_t k_max_comparisons = 50'000'000;
+
+// Relative errors of an outline's area.
+constexpr double k_area_tolerance = 1e-4, k_most_area_lost = 0.01;
 
 // Directed edges that are left when opposite ones cancel, each as often as it is left.
 std::vector<Edge> cancel_opposite(const std::vector<Edge>& edges) {
@@ -48,30 +54,42 @@ bool has_repeated(const std::vector<Edge>& sorted_pairs) {
 
 // Splits edges at vertices that lie on them, so that neighbours of different fineness cancel.
 std::vector<Edge> split_at_vertices(const std::vector<Edge>& edges, std::span<const Vec3d> points,
-                                    double tolerance) {
+                                    const PlaneAxes& axes, double tolerance) {
   std::vector<std::uint32_t> vertices;
   for (const auto& [a, b] : edges)
     vertices.push_back(a);
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  if (edges.size() * vertices.size() > k_max_comparisons) return edges;
+  std::vector<Vec2d> places;
+  for (const std::uint32_t v : vertices)
+    places.push_back(axes.in_plane(points[v]));
+  SegmentGrid grid(places, places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    grid.add_segment(places[i], places[i], 0, std::uint32_t(i));
 
   std::vector<Edge> pieces;
   std::vector<std::pair<double, std::uint32_t>> on_edge;
-  for (const auto& [a, b] : edges) {
+  std::size_t comparisons = 0;
+  for (const Edge& edge : edges) {
+    const std::uint32_t a = edge.first, b = edge.second;
     const Vec3d start = points[a], span = points[b] - start;
     const double squared = dot(span, span);
     on_edge.clear();
-    for (const std::uint32_t v : vertices) {
-      if (v == a || v == b) continue;
-      const double t = dot(points[v] - start, span) / squared;
-      if (!(t > 0) || !(t < 1)) continue;
-      if (length(points[v] - start - span * t) <= tolerance) on_edge.push_back({t, v});
-    }
+    grid.visit_along(axes.in_plane(start), axes.in_plane(points[b]), tolerance, [&](auto& cell) {
+      comparisons += cell.size();
+      for (const std::uint32_t i : cell) {
+        const std::uint32_t v = vertices[i];
+        if (v == a || v == b) continue;
+        const double t = dot(points[v] - start, span) / squared;
+        if (!(t > 0) || !(t < 1)) continue;
+        if (length(points[v] - start - span * t) <= tolerance) on_edge.push_back({t, v});
+      }
+    });
+    if (comparisons > k_max_comparisons) return edges;
     std::sort(on_edge.begin(), on_edge.end());
     std::uint32_t from = a;
     for (const auto& [t, v] : on_edge) {
-      pieces.push_back({from, v});
+      if (v != from) pieces.push_back({from, v});
       from = v;
     }
     pieces.push_back({from, b});
@@ -150,25 +168,54 @@ bool is_redundant(Vec3d a, Vec3d b, Vec3d c, double tolerance) {
   return length(cross(b - a, ac)) <= tolerance * l;
 }
 
-Ring simplify(const Ring& ring, double tolerance) {
-  Ring kept;
-  for (const Vec3d& p : ring) {
-    kept.push_back(p);
-    while (kept.size() >= 3 &&
-           is_redundant(kept[kept.size() - 3], kept[kept.size() - 2], kept.back(), tolerance))
-      kept.erase(kept.end() - 2);
-  }
-  // The same around the seam.
-  for (bool changed = true; changed && kept.size() >= 3;) {
-    changed = false;
-    if (is_redundant(kept[kept.size() - 2], kept.back(), kept[0], tolerance)) {
-      kept.pop_back();
-      changed = true;
-    } else if (is_redundant(kept.back(), kept[0], kept[1], tolerance)) {
-      kept.erase(kept.begin());
-      changed = true;
+// Corners that are left when every one left out lies within `tolerance` of the edge that passes it:
+// from a corner the edge may turn within the angle under which it sees the discs of that radius
+// around all corners since (Imai and Iri, "Polygonal Approximations of a Curve", 1988). One pass.
+Ring without_straight_corners(const Ring& ring, Vec3d normal, double tolerance) {
+  const std::size_t n = ring.size();
+  Ring kept = {ring[0]};
+  std::size_t anchor = 0;
+  Vec3d axis{0, 0, 0}; // the angle is counted from here
+  double low = 0, high = 0, farthest = 0;
+  bool is_open = false; // whether the sector says anything yet
+  for (std::size_t i = 1; i <= n; ++i) {
+    const Vec3d offset = ring[i % n] - ring[anchor];
+    const double distance = length(offset);
+    const double angle =
+        is_open ? std::atan2(dot(cross(axis, offset), normal), dot(axis, offset)) : 0.0;
+    const bool turns_back = distance < farthest - tolerance;
+    if (i > anchor + 1 && (turns_back || (is_open && !(angle >= low && angle <= high)))) {
+      anchor = i - 1;
+      kept.push_back(ring[anchor]);
+      is_open = false;
+      farthest = 0;
+      --i; // once more, from there
+      continue;
+    }
+    farthest = std::max(farthest, distance);
+    if (!(distance > tolerance)) continue;
+    const double half = std::asin(std::min(tolerance / distance, 1.0));
+    if (!is_open) {
+      is_open = true;
+      axis = offset;
+      low = -half;
+      high = half;
+    } else {
+      low = std::max(low, angle - half);
+      high = std::min(high, angle + half);
     }
   }
+  return kept;
+}
+
+Ring simplify(const Ring& ring, Vec3d normal, double tolerance) {
+  if (ring.size() < 3) return {};
+  Ring kept = without_straight_corners(ring, normal, tolerance);
+  // The start of the walk may itself be on a straight edge.
+  while (kept.size() >= 3 && is_redundant(kept.back(), kept[0], kept[1], tolerance))
+    kept.erase(kept.begin());
+  while (kept.size() >= 3 && is_redundant(kept[kept.size() - 2], kept.back(), kept[0], tolerance))
+    kept.pop_back();
   if (kept.size() < 3) kept.clear();
   return kept;
 }
@@ -198,7 +245,7 @@ double signed_area(const Ring& ring, Vec3d normal) {
 }
 
 std::vector<Ring> trace_outline(std::span<const Vec3d> points, std::span<const Triangle> triangles,
-                                Vec3d normal, double tolerance) {
+                                Vec3d normal, double tolerance, double straight) {
   std::vector<Ring> separate = separate_triangles(points, triangles);
   const double expected = sum_of_areas(separate, normal);
   if (!(expected > 0)) return {};
@@ -207,20 +254,26 @@ std::vector<Ring> trace_outline(std::span<const Vec3d> points, std::span<const T
   for (const Triangle& t : triangles)
     for (std::size_t c = 0; c < 3; ++c)
       edges.push_back({t[c], t[(c + 1) % 3]});
-  edges = split_at_vertices(cancel_opposite(edges), points, tolerance);
+  edges = split_at_vertices(cancel_opposite(edges), points, PlaneAxes(normal), tolerance);
   if (has_repeated(edges)) return separate; // triangles overlap
 
-  std::vector<Ring> rings;
+  std::vector<Ring> traced;
   for (const auto& corners : RingWalker(edges, points, normal).walk()) {
     Ring ring;
     for (const std::uint32_t corner : corners)
       ring.push_back(points[corner]);
-    ring = simplify(ring, tolerance);
-    if (!ring.empty()) rings.push_back(std::move(ring));
+    traced.push_back(std::move(ring));
   }
-  const double traced = sum_of_areas(rings, normal);
-  // Leaving out corners may cost this much; more means that the pieces did not fit.
-  if (!(std::abs(traced - expected) <= 1e-4 * expected)) return separate;
+  // More than what T-junctions cost means that the pieces did not fit.
+  if (!(std::abs(sum_of_areas(traced, normal) - expected) <= k_area_tolerance * expected))
+    return separate;
+  std::vector<Ring> rings;
+  for (const Ring& ring : traced)
+    if (Ring simple = simplify(ring, normal, straight); !simple.empty())
+      rings.push_back(std::move(simple));
+  // Parts thinner than what may be left out keep all of their corners.
+  if (!(std::abs(sum_of_areas(rings, normal) - expected) <= k_most_area_lost * expected))
+    rings = std::move(traced);
   std::stable_partition(rings.begin(), rings.end(),
                         [&](const Ring& ring) { return signed_area(ring, normal) > 0; });
   return rings;

@@ -1,15 +1,20 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Segments by the sides on which their ends lie of each other; points in polygons by crossing
-// parity.
+// Segments by the sides on which their ends lie of each other, those that a grid finds near each
+// other; points in polygons by crossing parity.
 
 #include "openltc/scene/simple_outline.h"
+
+#include "openltc/scene/segment_grid.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace openltc::scene {
 
@@ -35,11 +40,39 @@ bool meet(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
 
 Vec2d at(std::span<const Vec2d> ring, std::size_t i) { return ring[i % ring.size()]; }
 
+struct OutlineBox {
+  Vec2d lower{1e300, 1e300}, upper{-1e300, -1e300};
+  double extent() const { return std::max(upper.x - lower.x, upper.y - lower.y); }
+};
+
+OutlineBox box_of(std::span<const Vec2d> ring) {
+  OutlineBox box;
+  for (const Vec2d p : ring) {
+    box.lower = {std::min(box.lower.x, p.x), std::min(box.lower.y, p.y)};
+    box.upper = {std::max(box.upper.x, p.x), std::max(box.upper.y, p.y)};
+  }
+  return box;
+}
+
+bool lie_apart(const OutlineBox& a, const OutlineBox& b) {
+  return a.upper.x < b.lower.x || b.upper.x < a.lower.x || a.upper.y < b.lower.y ||
+         b.upper.y < a.lower.y;
+}
+
 bool rings_meet(std::span<const Vec2d> p, std::span<const Vec2d> q) {
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (std::size_t k = 0; k < q.size(); ++k)
-      if (meet(p[i], at(p, i + 1), q[k], at(q, k + 1))) return true;
-  return false;
+  const OutlineBox box = box_of(p);
+  if (lie_apart(box, box_of(q))) return false;
+  const double reach = 1e-9 * box.extent(); // for rounding at the borders of cells
+  SegmentGrid grid(p, p.size());
+  for (std::uint32_t i = 0; i < p.size(); ++i)
+    grid.add_segment(p[i], at(p, i + 1), reach, i);
+  bool found = false;
+  for (std::size_t k = 0; k < q.size() && !found; ++k)
+    grid.visit_along(q[k], at(q, k + 1), reach, [&](const std::vector<std::uint32_t>& cell) {
+      for (const std::uint32_t i : cell)
+        found = found || meet(p[i], at(p, i + 1), q[k], at(q, k + 1));
+    });
+  return found;
 }
 
 bool is_inside(Vec2d point, std::span<const Vec2d> ring) {
@@ -72,12 +105,25 @@ Status check_simple(std::span<const Vec2d> ring) {
         side(a, b, c) == 0 && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < 0;
     if (turns_back) return Error{fmt::format("the outline turns back at point {}", (i + 1) % n)};
   }
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = i + 2; k < n; ++k) {
-      if (i == 0 && k == n - 1) continue; // neighbours
-      if (meet(ring[i], at(ring, i + 1), ring[k], at(ring, k + 1)))
-        return Error{fmt::format("the outline crosses itself: edges {} and {} meet", i, k)};
-    }
+  // The first pair of edges that meet and are no neighbours.
+  const std::pair<std::size_t, std::size_t> none(n, n);
+  std::pair<std::size_t, std::size_t> first = none;
+  const double reach = 1e-9 * box_of(ring).extent();
+  SegmentGrid grid(ring, n);
+  for (std::uint32_t k = 0; k < n; ++k)
+    grid.visit_along(ring[k], at(ring, k + 1), reach, [&](std::vector<std::uint32_t>& cell) {
+      for (const std::uint32_t i : cell) {
+        const std::pair<std::size_t, std::size_t> pair(i, k);
+        const bool are_neighbours = i + 1 >= k || (i == 0 && k == n - 1);
+        if (!are_neighbours && pair < first &&
+            meet(ring[i], at(ring, i + 1), ring[k], at(ring, k + 1)))
+          first = pair;
+      }
+      cell.push_back(k);
+    });
+  if (first != none)
+    return Error{
+        fmt::format("the outline crosses itself: edges {} and {} meet", first.first, first.second)};
   return Success{};
 }
 
@@ -88,6 +134,7 @@ Status check_inside(std::span<const Vec2d> hole, std::span<const Vec2d> outer) {
 }
 
 Status check_apart(std::span<const Vec2d> a, std::span<const Vec2d> b) {
+  if (lie_apart(box_of(a), box_of(b))) return Success{};
   if (rings_meet(a, b) || is_inside(a[0], b) || is_inside(b[0], a))
     return Error{"two holes overlap"};
   return Success{};

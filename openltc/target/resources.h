@@ -78,6 +78,14 @@ struct EmissionTextureView {
   float picture_origin[3] = {0, 0, 0};
   float picture_u[3] = {1, 0, 0};
   float picture_v[3] = {0, 1, 0};
+
+  /// For sampling: the stack's finest level as a distribution. Running shares of cell_rows rows,
+  /// and in each row of its cell_columns cells; of all samples the share cell_share is drawn by
+  /// them, which is 0 where the picture is too even to gain by it.
+  const float* row_cdf = nullptr;
+  const float* cell_cdf = nullptr;
+  int cell_columns = 0, cell_rows = 0;
+  float cell_share = 0;
 };
 
 } // namespace openltc

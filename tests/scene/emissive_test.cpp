@@ -76,8 +76,19 @@ TEST_CASE("a_sphere_keeps_its_area_and_its_poles_are_triangles") {
     }
   mesh.normals.assign(mesh.positions.size(), Vec3f(0, 1, 0));
   const EmissiveLights found = scene::emissive_lights(mesh, glowing(1), {});
-  CHECK(found.lights.polygons.size() == rings * segments); // quads are planar
-  CHECK(total_area(found) == doctest::Approx(area_of(mesh)).epsilon(1e-5));
+  // Quads are planar; around the poles triangles lean by so little that some are joined.
+  CHECK(found.lights.polygons.size() <= rings * segments);
+  CHECK(found.lights.polygons.size() >= (rings - 4) * segments);
+  double flux = 0;
+  for (const auto& light : found.lights.polygons)
+    flux += double(light::flux_lumens(light).x);
+  CHECK(flux == doctest::Approx(std::numbers::pi * area_of(mesh)).epsilon(1e-4));
+  // Without joining there is one for each.
+  scene::EmissiveOptions exact;
+  exact.few_planes = 1000;
+  const EmissiveLights all = scene::emissive_lights(mesh, glowing(1), {}, exact);
+  CHECK(all.lights.polygons.size() == rings * segments);
+  CHECK(total_area(all) == doctest::Approx(area_of(mesh)).epsilon(1e-5));
   for (const auto& light : found.lights.polygons)
     CHECK(light::validate(light).ok());
 }
@@ -225,12 +236,12 @@ TEST_CASE("many_facets_are_warned_of_and_take_little_time") {
                       {"material", material}});
   const auto loaded = file.load();
   REQUIRE(loaded.ok());
-  CHECK(loaded->lights.polygons.size() > 3000);
+  CHECK(loaded->lights.polygons.size() > 1000);
   CHECK(warns_about(*loaded, "polygon lights"));
-  double sum = 0;
+  double flux = 0;
   for (const auto& light : loaded->lights.polygons)
-    sum += light::area(light);
-  CHECK(sum == doctest::Approx(area_of(loaded->meshes[0])).epsilon(1e-3));
+    flux += double(light::flux_lumens(light).x);
+  CHECK(flux == doctest::Approx(std::numbers::pi * area_of(loaded->meshes[0])).epsilon(1e-3));
 }
 
 } // namespace

@@ -65,4 +65,24 @@ TEST_CASE("holes_lie_inside_and_apart") {
   CHECK(!scene::check_apart(square(1), square(3)).ok());
 }
 
+TEST_CASE("an_outline_of_forty_thousand_points_is_checked_point_by_point") {
+  constexpr int n = 40000;
+  Ring ring;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / n;
+    ring.push_back({std::cos(angle), std::sin(angle)});
+  }
+  CHECK(scene::check_simple(ring).ok());
+  // One point moved to the other side: the edges at it cross those there.
+  ring[100] = {1.01 * std::cos(4.0), 1.01 * std::sin(4.0)};
+  CHECK(refuses(scene::check_simple(ring), "crosses itself: edges 99 and"));
+  // Many holes side by side.
+  std::vector<Ring> holes;
+  for (double x = 0; x < 30; ++x)
+    holes.push_back({{x, 0}, {x + 0.9, 0}, {x + 0.9, 1}, {x, 1}});
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      CHECK(scene::check_apart(holes[i], holes[k]).ok());
+}
+
 } // namespace
