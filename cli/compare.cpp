@@ -6,6 +6,7 @@
 #include "cli/camera_choice.h"
 #include "cli/commands.h"
 #include "cli/output_place.h"
+#include "cli/reading_options.h"
 #include "openltc/image/difference.h"
 #include "openltc/image/file.h"
 #include "openltc/image/flip.h"
@@ -62,6 +63,7 @@ struct Options {
   std::string exposure;
   float pixels_per_degree = image::FlipOptions{}.pixels_per_degree;
   float scale = 0.0f;
+  scene::ReadOptions reading;
   bool json = false;
 };
 
@@ -304,7 +306,7 @@ void print_table(const Options& options, const Image& a, const image::Metrics& m
 Result<std::vector<render::SurfaceError>> surface_errors(const Options& options, const Image& a,
                                                          const Image& b, double eps) {
   if (options.scene.empty()) return std::vector<render::SurfaceError>();
-  Result<scene::Scene> scene = scene::load_gltf(options.scene);
+  Result<scene::Scene> scene = scene::load_gltf(options.scene, {}, options.reading);
   if (!scene) return scene.error();
   Result<scene::Camera> camera =
       choose_camera(*scene, options.camera, options.scene, float(a.width) / float(a.height));
@@ -394,6 +396,7 @@ void add_compare(CLI::App& app, int& exit_code) {
       ->add_option("--camera", options->camera,
                    "The camera they show it from, as for openltc render [the first]")
       ->needs("--scene");
+  add_reading_options(*command, options->reading);
   command->add_option("--mask", options->mask,
                       "Compare only pixels where this picture is not black");
   command

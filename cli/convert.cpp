@@ -10,6 +10,7 @@
 #include "cli/fit_job.h"
 #include "cli/lobe_file.h"
 #include "cli/output_place.h"
+#include "cli/reading_options.h"
 #include "cli/shape_options.h"
 #include "openltc/fit/error.h"
 #include "openltc/table/divided.h"
@@ -40,6 +41,7 @@ struct ConvertArguments {
   int size = 0;
   std::string brdf;
   scene::EmissiveOptions emissive;
+  scene::ReadOptions reading;
   bool quiet = false;
 };
 
@@ -133,8 +135,8 @@ int convert_lights(const ConvertArguments& arguments) {
     return fail("convert",
                 Error{arguments.input + ": holds a scene; --layout, --from-layout, --precision, "
                                         "--size and --brdf are for tables"});
-  const Status status =
-      convert_scene(arguments.input, arguments.output, arguments.emissive, arguments.quiet);
+  const Status status = convert_scene(arguments.input, arguments.output, arguments.emissive,
+                                      arguments.reading, arguments.quiet);
   return status.ok() ? k_exit_ok : fail("convert", status.error());
 }
 
@@ -231,6 +233,7 @@ void add_convert(CLI::App& app, int& exit_code) {
   command->add_option("--brdf", arguments->brdf, "BRDF of a bare texture")
       ->check(CLI::IsMember(brdfs));
   add_shape_options(*command, arguments->emissive);
+  add_reading_options(*command, arguments->reading);
   command->add_flag("--quiet", arguments->quiet, "No messages on stderr");
   command->callback([arguments, &exit_code] { exit_code = run_convert(*arguments); });
 }

@@ -35,11 +35,13 @@ bool is_scene_file(const std::string& path) {
 }
 
 Status convert_scene(const std::string& input, const std::string& output,
-                     const scene::EmissiveOptions& emissive, bool quiet) {
+                     const scene::EmissiveOptions& emissive, const scene::ReadOptions& reading,
+                     bool quiet) {
   if (extension_of(output) != ".glb")
     return Error{fmt::format("{}: a scene is written as .glb, not to {}", input, output)};
   if (Status status = check_place(output); !status) return status.error();
-  const Result<scene::ExportReport> report = scene::export_area_lights(input, output, emissive);
+  const Result<scene::ExportReport> report =
+      scene::export_area_lights(input, output, emissive, reading);
   if (!report) return report.error();
   if (quiet) return Success{};
   for (const std::string& warning : report->warnings)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/inspect.h"
+#include "openltc/base/quote.h"
 #include "openltc/image/file.h"
 #include "openltc/image/tonemap.h"
 
@@ -49,7 +50,7 @@ std::size_t count_non_finite_pixels(const image::Image& image) {
 void describe_layer(const std::string& name, const image::Image& image, Description& out) {
   static const char* const colors[] = {"R", "G", "B", "A"};
   nlohmann::ordered_json layer = {{"name", name}, {"channels", nlohmann::ordered_json::object()}};
-  if (!name.empty()) out.text += fmt::format("layer      {}\n", name);
+  if (!name.empty()) out.text += fmt::format("layer      {}\n", quote(name));
   for (int c = 0; c < image.channels; ++c) {
     const char* channel = image.channels == 1 ? "Y" : colors[c];
     const ChannelRange range = range_of(image, c);

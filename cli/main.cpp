@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
+#include "openltc/base/quote.h"
 
 #include <fmt/format.h>
 
@@ -23,14 +24,15 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   std::string what = error.what();
   if (app->get_subcommands().empty() && !app->remaining().empty())
     what = fmt::format("no command or option '{}'", app->remaining()[0]);
-  std::replace(what.begin(), what.end(), '\n', ' ');
+  std::replace(what.begin(), what.end(), '\n', ' '); // CLI11 lists on lines of their own
+  what = escaped(what);
   return fmt::format("{0}: {1}; see {0} --help\n", command, what);
 }
 
 } // namespace
 
 int openltc::cli::fail(const std::string& command, const Error& error, ExitCode code) {
-  fmt::print(stderr, "openltc {}: {}\n", command, error.message);
+  fmt::print(stderr, "openltc {}: {}\n", command, escaped(error.message));
   return code;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/lobe_file.h"
 #include "cli/picture_output.h"
+#include "cli/reading_options.h"
 #include "cli/shape_options.h"
 #include "openltc/base/progress.h"
 #include "openltc/render/renderer.h"
@@ -56,6 +57,7 @@ struct RenderArguments {
   int threads = 0;
   std::string kernel = "auto";
   scene::EmissiveOptions emissive;
+  scene::ReadOptions reading;
   bool half = false;
   bool quiet = false;
   bool json = false;
@@ -125,7 +127,12 @@ LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene:
   LightsChosen chosen;
   if (choice == LightChoice::automatic) {
     choice = LightChoice::scene;
-    if (scene.lights.empty()) {
+    // What the file says of its lights stands, also when it is dim or cannot be read.
+    if (scene.describes_lights) {
+      if (scene.lights.empty())
+        chosen.message = "warning: the file describes lights, but none that can be used: the "
+                         "picture is dark; --lights studio lights it";
+    } else if (scene.lights.empty()) {
       choice = LightChoice::studio;
       chosen.message = "no lights in the file: lit by a studio rig of three soft boxes (--lights)";
     } else if (only_glows(scene.lights)) {
@@ -224,7 +231,8 @@ int run_render(const RenderArguments& arguments) {
 
   catch_interrupts();
   const auto load_start = std::chrono::steady_clock::now();
-  Result<scene::Scene> loaded = scene::load_gltf(arguments.scene, arguments.emissive);
+  Result<scene::Scene> loaded =
+      scene::load_gltf(arguments.scene, arguments.emissive, arguments.reading);
   if (!loaded) return fail("render", loaded.error());
   scene::Scene& scene = *loaded;
   const double load_seconds =
@@ -256,7 +264,7 @@ int run_render(const RenderArguments& arguments) {
                arguments.scene, triangles, scene.lights.area_light_count(),
                scene.lights.punctual.size(), load_seconds);
     if (!lights.message.empty()) fmt::print(stderr, "{}\n", lights.message);
-    if (scene.lights.empty())
+    if (scene.lights.empty() && lights.message.empty())
       fmt::print(stderr, "warning: the scene has no light; --lights studio adds one\n");
   }
 
@@ -329,9 +337,8 @@ void add_render(CLI::App& app, int& exit_code) {
   command->footer(
       "Area lights are integrated in closed form with linearly transformed cosines (LTC), so the\n"
       "light itself has no noise; shadows are sampled. Lights come from the file: emissive\n"
-      "surfaces, KHR_lights_punctual, EXT_lights_area, openltc_light in a node's extras. A file "
-      "without lights gets a studio rig, a\n"
-      "file without camera is framed.\n"
+      "surfaces, KHR_lights_punctual, EXT_lights_area, openltc_light in a node's extras. A file\n"
+      "that says nothing of lights gets a studio rig, a file without camera is framed.\n"
       "\n"
       "Examples:\n"
       "  openltc render helmet.glb                          writes helmet.png here\n"
@@ -401,10 +408,11 @@ void add_render(CLI::App& app, int& exit_code) {
   command
       ->add_option("--lights", a.lights,
                    "Which lights: those of the scene, a studio rig of three soft boxes, or both "
-                   "[scene; studio where it has none]")
+                   "[scene; studio where it says nothing of lights]")
       ->transform(one_of(choices))
       ->type_name(words_of(choices));
   add_shape_options(*command, a.emissive);
+  add_reading_options(*command, a.reading);
   command
       ->add_option("--camera", a.camera,
                    "Camera by name or number from 0; \"frame\" shows the whole scene [the first]")

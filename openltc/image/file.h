@@ -12,6 +12,7 @@
 
 #include "openltc/base/result.h"
 #include "openltc/image/image.h"
+#include "openltc/image/texels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,7 @@ inline constexpr std::size_t k_max_pixels = std::size_t(1) << 27;
 
 enum class ExrPrecision { half_float, full_float };
 
-/// Reads .exr, .hdr (scene-linear) or .png, .jpg, .jpeg (sRGB, decoded to linear).
+/// Reads .exr, .hdr (scene-linear) or .png, .jpg, .jpeg, .webp (sRGB, decoded to linear).
 /// The result has 3 channels, or 4 where the file has alpha; grey is repeated in all three.
 /// An EXR file's further layers are ignored here (see read_layer); its picture is its display
 /// window, black where the file has no data.
@@ -42,12 +43,19 @@ Result<Image> read_layer(const std::string& path, const std::string& layer);
 /// Names of the layers of an EXR file, "" first where it has a picture, then in alphabetical order.
 Result<std::vector<std::string>> layer_names(const std::string& path);
 
-/// Decodes the bytes of a PNG or JPEG file, told apart by their first bytes, to 4 channels in
+/// Decodes the bytes of a PNG, JPEG or WebP file, told apart by their first bytes, to 4 channels in
 /// [0, 1]; alpha is 1 where the file has none. Colours are decoded from sRGB to linear if
 /// `srgb_to_linear` is set (base colour, emission), else only scaled (normals, roughness); alpha is
 /// only scaled. An error begins with `name`.
 Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& name,
                      bool srgb_to_linear);
+
+/// The same in the file's own precision: the same values, a quarter of the memory or half.
+Result<Texels> decode_texels(std::span<const std::uint8_t> bytes, const std::string& name,
+                             bool srgb_to_linear);
+
+/// Whether this build reads WebP.
+bool can_read_webp();
 
 /// Writes an EXR file: channels R G B (A), or Y, of the first layer, whose name is empty, and
 /// NAME.R NAME.G NAME.B (NAME.A), or NAME.Y, of the others. All layers have the same size.

@@ -7,17 +7,19 @@
 
 #include "openltc/base/atomic_file.h"
 #include "openltc/scene/gltf_failure.h"
-#include "openltc/scene/gltf_uri.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace openltc::scene::gltf {
 
@@ -62,7 +64,12 @@ std::string_view mime_type_of(std::span<const std::uint8_t> bytes) {
   return "";
 }
 
-void embed_buffers(Json& root, Binary& binary, const std::string& base_dir) {
+// One text for all references to the same bytes.
+std::string key_of(const std::string& uri, const Folder& folder, const std::string& field) {
+  return is_data_uri(uri) ? uri : canonical_path(resolve_uri(uri, folder, field));
+}
+
+void embed_buffers(Json& root, Binary& binary, const Folder& folder, MemoryShare& memory) {
   if (!root.contains("buffers")) return;
   Json& buffers = root["buffers"];
   std::vector<Place> places;
@@ -75,15 +82,30 @@ void embed_buffers(Json& root, Binary& binary, const std::string& base_dir) {
     binary = {};
     kept.push_back({{"byteLength", 0}});
   }
+  // Of each file as much as the buffer that asks for most of it.
+  const auto field_of = [](std::size_t i) { return fmt::format("buffers[{}].uri", i); };
+  std::map<std::string, std::size_t> lengths;
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (!buffers[i].contains("uri")) continue;
+    std::size_t& length =
+        lengths[key_of(buffers[i]["uri"].get<std::string>(), folder, field_of(i))];
+    length = std::max(length, buffers[i].value("byteLength", std::size_t(0)));
+  }
+  std::map<std::string, Place> embedded;
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     const Json& buffer = buffers[i];
     if (i == 0 && first_is_binary) {
       places.push_back({0, 0});
     } else if (buffer.contains("uri")) {
-      std::vector<std::uint8_t> bytes =
-          read_uri(buffer["uri"].get<std::string>(), base_dir, fmt::format("buffers[{}].uri", i));
-      bytes.resize(buffer.value("byteLength", std::size_t(0)));
-      places.push_back({0, append(binary, bytes)});
+      const std::string uri = buffer["uri"].get<std::string>();
+      const std::string key = key_of(uri, folder, field_of(i));
+      const auto [place, is_new] = embedded.try_emplace(key);
+      if (is_new) {
+        const std::vector<std::uint8_t> bytes =
+            read_uri(uri, folder, field_of(i), memory, lengths[key]);
+        place->second = {0, append(binary, bytes)};
+      }
+      places.push_back(place->second);
     } else { // without bytes, a placeholder of EXT_meshopt_compression
       places.push_back({kept.size(), 0});
       kept.push_back(buffer);
@@ -98,16 +120,26 @@ void embed_buffers(Json& root, Binary& binary, const std::string& base_dir) {
   buffers = std::move(kept);
 }
 
-void embed_images(Json& root, Binary& binary, const std::string& base_dir) {
+void embed_images(Json& root, Binary& binary, const Folder& folder, MemoryShare& memory) {
   if (!root.contains("images")) return;
+  std::map<std::string, std::pair<std::size_t, std::string>> embedded; // view and type by key
   for (std::size_t i = 0; i < root["images"].size(); ++i) {
     Json& image = root["images"][i];
     if (!image.contains("uri")) continue;
+    const std::string uri = image["uri"].get<std::string>();
     std::vector<std::uint8_t> bytes;
+    std::string key;
     try {
-      bytes = read_uri(image["uri"].get<std::string>(), base_dir, "");
+      key = key_of(uri, folder, "");
+      if (!embedded.contains(key)) bytes = read_uri(uri, folder, "", memory);
     } catch (const Failure&) {
-      continue; // nothing uses it, or import had failed
+      continue; // import warned if something uses it
+    }
+    if (const auto known = embedded.find(key); known != embedded.end()) {
+      image.erase("uri");
+      image["bufferView"] = known->second.first;
+      image["mimeType"] = known->second.second;
+      continue;
     }
     const std::string mime_type(mime_type_of(bytes));
     if (mime_type.empty()) continue;
@@ -122,6 +154,7 @@ void embed_images(Json& root, Binary& binary, const std::string& base_dir) {
     image.erase("uri");
     image["mimeType"] = mime_type;
     image["bufferView"] = root["bufferViews"].size() - 1;
+    embedded[key] = {root["bufferViews"].size() - 1, mime_type};
   }
 }
 
@@ -139,11 +172,11 @@ void put_u32(std::vector<std::uint8_t>& out, std::uint32_t value) {
 
 } // namespace
 
-void embed_references(Json& root, Binary& binary, const std::string& base_dir) {
+void embed_references(Json& root, Binary& binary, const Folder& folder, MemoryShare& memory) {
   const bool has_buffers = has_uri(root, "buffers"), has_images = has_uri(root, "images");
   if (!has_buffers && !has_images) return;
-  embed_buffers(root, binary, base_dir);
-  embed_images(root, binary, base_dir);
+  embed_buffers(root, binary, folder, memory);
+  embed_images(root, binary, folder, memory);
   if (binary.exists)
     root["buffers"][0]["byteLength"] = binary.bytes.size();
   else if (root.contains("buffers") && root["buffers"].size() == 1)

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -185,20 +184,21 @@ private:
 } // namespace
 
 Result<ExportReport> export_area_lights(const std::string& input, const std::string& output,
-                                        const EmissiveOptions& emissive) {
+                                        const EmissiveOptions& emissive,
+                                        const ReadOptions& reading) {
+  MemoryShare memory;
   Json root;
   gltf::Binary binary;
   const Result<ExportReport> report = gltf::guarded(input, [&] {
-    const std::vector<std::uint8_t> bytes = gltf::read_file(input, "");
-    const std::filesystem::path folder = std::filesystem::path(input).parent_path();
-    const std::string base_dir = folder.empty() ? "." : folder.string();
-    const gltf::Imported imported = gltf::import_gltf(bytes, base_dir, emissive);
+    const std::vector<std::uint8_t> bytes = gltf::read_scene_file(input, memory);
+    const gltf::Folder folder = gltf::folder_of(input, reading.allow_outside);
+    const gltf::Imported imported = gltf::import_gltf(bytes, folder, emissive);
     const gltf::Container container = gltf::split_container(bytes);
     root = Json::parse(container.json.begin(), container.json.end());
     binary.bytes.assign(container.binary.begin(), container.binary.end());
     binary.exists = container.has_binary;
     ExportReport made = Exporter(root, imported).run();
-    gltf::embed_references(root, binary, base_dir);
+    gltf::embed_references(root, binary, folder, memory);
     return made;
   });
   if (!report) return report.error();

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/base/quoted.h"
+#include "openltc/base/quote.h"
 
 #include <doctest/doctest.h>
 
 using openltc::escaped;
-using openltc::quoted;
+using openltc::quote;
 
 TEST_CASE("plain_text_is_shown_as_it_is") {
   for (const char* text : {"", "Lamp", "Lampe d'été", "灯", "a\\b", "\"x\"", "🔦"})
@@ -34,9 +34,9 @@ TEST_CASE("bytes_that_are_no_utf8_are_escaped_one_by_one") {
 }
 
 TEST_CASE("long_text_is_cut_at_a_whole_character") {
-  CHECK(quoted(std::string(100000, 'a')) == std::string(openltc::k_longest_quote, 'a') + "...");
-  CHECK(quoted("abcdef", 6) == "abcdef");
-  CHECK(quoted("abcdef", 5) == "abcde...");
-  CHECK(quoted("abcé", 4) == "abc...");
-  CHECK(quoted("abcé", 5) == "abcé");
+  CHECK(quote(std::string(100000, 'a')) == std::string(openltc::k_longest_quote, 'a') + "...");
+  CHECK(quote("abcdef", 6) == "abcdef");
+  CHECK(quote("abcdef", 5) == "abcde...");
+  CHECK(quote("abcé", 4) == "abc...");
+  CHECK(quote("abcé", 5) == "abcé");
 }

@@ -22,6 +22,6 @@ inline constexpr std::size_t k_longest_quote = 80;
 std::string escaped(std::string_view text);
 
 /// escaped(), and cut at `longest` bytes of the original, at a whole character, with "..." behind.
-std::string quoted(std::string_view text, std::size_t longest = k_longest_quote);
+std::string quote(std::string_view text, std::size_t longest = k_longest_quote);
 
 } // namespace openltc

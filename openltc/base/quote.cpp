@@ -3,7 +3,7 @@
 
 // UTF-8: RFC 3629. Marks of writing direction: Unicode Standard Annex 9, section 2.
 
-#include "openltc/base/quoted.h"
+#include "openltc/base/quote.h"
 
 #include <fmt/format.h>
 
@@ -70,7 +70,7 @@ std::string shown(std::string_view text, std::size_t longest) {
 
 std::string escaped(std::string_view text) { return shown(text, text.size()); }
 
-std::string quoted(std::string_view text, std::size_t longest) {
+std::string quote(std::string_view text, std::size_t longest) {
   return shown(text, text.size() <= longest ? text.size() : longest);
 }
 
