@@ -25,7 +25,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   if (app->get_subcommands().empty() && !app->remaining().empty())
     what = fmt::format("no command or option '{}'", app->remaining()[0]);
   std::replace(what.begin(), what.end(), '\n', ' '); // CLI11 lists on lines of their own
-  what = escaped(what);
+  what = openltc::escaped(what);
   return fmt::format("{0}: {1}; see {0} --help\n", command, what);
 }
 

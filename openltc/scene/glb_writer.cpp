@@ -66,7 +66,7 @@ std::string_view mime_type_of(std::span<const std::uint8_t> bytes) {
 
 // One text for all references to the same bytes.
 std::string key_of(const std::string& uri, const Folder& folder, const std::string& field) {
-  return is_data_uri(uri) ? uri : canonical_path(resolve_uri(uri, folder, field));
+  return is_data_uri(uri) ? field : canonical_path(resolve_uri(uri, folder, field));
 }
 
 void embed_buffers(Json& root, Binary& binary, const Folder& folder, MemoryShare& memory) {
@@ -130,7 +130,7 @@ void embed_images(Json& root, Binary& binary, const Folder& folder, MemoryShare&
     std::vector<std::uint8_t> bytes;
     std::string key;
     try {
-      key = key_of(uri, folder, "");
+      key = key_of(uri, folder, fmt::format("images[{}]", i));
       if (!embedded.contains(key)) bytes = read_uri(uri, folder, "", memory);
     } catch (const Failure&) {
       continue; // import warned if something uses it

@@ -116,7 +116,7 @@ private:
   }
   static std::string field_of(std::size_t index) { return fmt::format("buffers[{}].uri", index); }
   std::string key_of(const std::string& uri, const std::string& field) const {
-    return is_data_uri(uri) ? uri : canonical_path(resolve_uri(uri, document_.base_dir, field));
+    return is_data_uri(uri) ? field : canonical_path(resolve_uri(uri, document_.base_dir, field));
   }
 
   Document& document_;

@@ -27,7 +27,7 @@ constexpr std::uint64_t k_smaller_copies = 4 * sizeof(float);
 
 std::string Pictures::key_of(int index, const std::string& field) const {
   const ImageSource& source = document_.images[std::size_t(index)];
-  if (is_data_uri(source.uri)) return source.uri;
+  if (is_data_uri(source.uri)) return field;
   if (!source.uri.empty())
     return "file " + canonical_path(resolve_uri(source.uri, document_.base_dir, field + ".uri"));
   if (source.view < 0) fail(field, "has neither uri nor bufferView; export the file again");

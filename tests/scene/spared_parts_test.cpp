@@ -226,9 +226,9 @@ TEST_CASE("a_broken_light_object_loses_that_light_only") {
       REQUIRE(loaded.ok());
       CHECK(loaded->lights.punctual.size() + loaded->lights.ellipses.size() == 1);
     }
-    const auto without =
-        lit({{"extensions", {{extension, json::object()}}}}, {{extension, {{"lights", {good}}}}})
-            .load();
+    const auto without = lit({{"extensions", {{extension, json::object()}}}},
+                             {{extension, {{"lights", json::array({good})}}}})
+                             .load();
     REQUIRE(without.ok());
     CHECK(without->lights.empty());
     CHECK(without->describes_lights);

@@ -109,7 +109,10 @@ TEST_CASE("a_converted_scene_holds_no_file_from_outside") {
   const std::string marker = "the content of a secret";
   write_text(folders.folder.file("secret.txt"), marker);
   GltfBuilder file = pictured("inside/own.png");
-  file.root["buffers"].push_back({{"uri", "../secret.txt"}, {"byteLength", marker.size()}});
+  file.root["buffers"] =
+      json::array({{{"byteLength", file.buffer.size()},
+                    {"uri", "data:application/octet-stream;base64," + base64(file.buffer)}},
+                   {{"uri", "../secret.txt"}, {"byteLength", marker.size()}}});
   const std::string path = folders.write_scene(file);
   CHECK(!scene::export_area_lights(path, out).ok());
   CHECK(!fs::exists(out));
@@ -196,14 +199,32 @@ TEST_CASE("a_buffer_beyond_the_budget_is_refused_with_the_limit_and_the_option")
 }
 
 TEST_CASE("instances_count_before_they_are_made") {
+  // 20,000 triangles of 12 bytes for the corners and 128 for the tree are 2.8 MB.
+  constexpr int k_side = 100;
+  std::vector<float> positions;
+  std::vector<std::uint16_t> corners;
+  for (int y = 0; y <= k_side; ++y)
+    for (int x = 0; x <= k_side; ++x)
+      positions.insert(positions.end(), {float(x), float(y), 0});
+  for (int y = 0; y < k_side; ++y)
+    for (int x = 0; x < k_side; ++x) {
+      const int a = y * (k_side + 1) + x;
+      for (const int corner : {a, a + 1, a + k_side + 1, a + 1, a + k_side + 2, a + k_side + 1})
+        corners.push_back(std::uint16_t(corner));
+    }
   GltfBuilder file;
-  json primitive = file.square_primitive();
-  file.add_mesh_node(primitive);
-  for (int i = 0; i < 9999; ++i)
-    file.root["scenes"][0]["nodes"].push_back(file.add("nodes", {{"mesh", 0}}));
-  REQUIRE(file.load().ok());
-  const Limit limit(memory_budget().in_use() + 4000000); // 10,000 squares take more, one less
-  CHECK(fails_naming(file.load(), "--memory"));
+  file.add_mesh_node({{"attributes", {{"POSITION", file.add_vec3(positions)}}},
+                      {"indices", file.add_indices(corners)}});
+  const auto with_nodes = [&](int count) {
+    while (int(file.root["nodes"].size()) < count)
+      file.root["scenes"][0]["nodes"].push_back(file.add("nodes", {{"mesh", 0}}));
+    const Limit limit(memory_budget().in_use() + (std::uint64_t(100) << 20));
+    return file.load_glb();
+  };
+  CHECK(with_nodes(20).ok());
+  const auto refused = with_nodes(50);
+  CHECK(fails_naming(refused, "meshes[0].primitives[0]: asks for"));
+  CHECK(fails_naming(refused, "--memory"));
 }
 
 TEST_CASE("samplers_and_images_of_one_picture_share_its_memory") {
