@@ -71,7 +71,7 @@ TEST_CASE("nothing_outside_the_scenes_folder_is_read_unless_it_is_allowed") {
     if (loaded->textures.empty() && !allow) CHECK(warns_about(*loaded, "--allow-outside"));
     return loaded->textures.size();
   };
-  for (const std::string uri :
+  for (const std::string& uri :
        {std::string("../secret.png"), std::string("inside/../../secret.png"),
         std::string("..\\secret.png"), std::string("%2E%2E/secret.png"), std::string("link.png"),
         std::string("../scene-other/secret.png"), folders.folder.file("secret.png"),
