@@ -7,6 +7,8 @@
 #include "cli/commands.h"
 #include "cli/output_place.h"
 #include "cli/reading_options.h"
+#include "cli/standard_streams.h"
+#include "openltc/base/message.h"
 #include "openltc/image/difference.h"
 #include "openltc/image/file.h"
 #include "openltc/image/flip.h"
@@ -262,21 +264,21 @@ void print_json(const Options& options, const Image& a, const image::Metrics& m,
                                  {"share", e.share}});
   // A path may hold any bytes; they must not break the output.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  fmt::print("{}\n", out.dump(2, ' ', false, replace));
+  put("{}\n", out.dump(2, ' ', false, replace));
 }
 
 void print_table(const Options& options, const Image& a, const image::Metrics& m, const Flip& flip,
                  const std::vector<render::SurfaceError>& surfaces) {
-  fmt::print("image        {}\nreference    {}\n", options.a, options.b);
-  fmt::print("size         {}x{}, {} pixels compared", a.width, a.height, m.pixel_count);
-  if (m.masked_count > 0) fmt::print(", {} masked", m.masked_count);
+  put("image        {}\nreference    {}\n", options.a, options.b);
+  put("size         {}x{}, {} pixels compared", a.width, a.height, m.pixel_count);
+  if (m.masked_count > 0) put(", {} masked", m.masked_count);
   if (m.non_finite_count > 0)
-    fmt::print(", {} with NaN or infinity left out (image {}, reference {})", m.non_finite_count,
-               m.non_finite_a, m.non_finite_b);
-  fmt::print("\n\n");
+    put(", {} with NaN or infinity left out (image {}, reference {})", m.non_finite_count,
+        m.non_finite_a, m.non_finite_b);
+  put("\n\n");
   const auto row = [](const char* name, const std::string& value, const std::string& note) {
-    fmt::print("{}\n", note.empty() ? fmt::format("{:<16}{:>12}", name, value)
-                                    : fmt::format("{:<16}{:>12}   {}", name, value, note));
+    put("{}\n", note.empty() ? fmt::format("{:<16}{:>12}", name, value)
+                             : fmt::format("{:<16}{:>12}   {}", name, value, note));
   };
   const auto number = [](double v) { return fmt::format("{:.5g}", v); };
   const auto percent = [](double v) { return fmt::format("{:.4g} %", 100.0 * v); };
@@ -293,13 +295,12 @@ void print_table(const Options& options, const Image& a, const image::Metrics& m
   row("FLIP mean", number(flip.mean), flip.kind);
   row("FLIP max", number(flip.max), at(flip.max_at));
   if (!surfaces.empty())
-    fmt::print(
-        "\nwhere the error lies                   pixels      mean   largest              share\n");
+    put("\nwhere the error lies                   pixels      mean   largest              share\n");
   for (const render::SurfaceError& e : surfaces)
-    fmt::print("{:<38}{:>7} {:>7.2f} % {:>7.1f} % {:>12} {:>5.1f} %\n", e.surface, e.pixels,
-               100 * e.mean_relative, 100 * e.max_relative,
-               fmt::format("({}, {})", e.max_x, e.max_y), 100 * e.share);
-  if (!options.diff.empty()) fmt::print("\ndifference   {}\n", options.diff);
+    put("{:<38}{:>7} {:>7.2f} % {:>7.1f} % {:>12} {:>5.1f} %\n", e.surface, e.pixels,
+        100 * e.mean_relative, 100 * e.max_relative, fmt::format("({}, {})", e.max_x, e.max_y),
+        100 * e.share);
+  if (!options.diff.empty()) put("\ndifference   {}\n", options.diff);
 }
 
 /// The error by surface when --scene is given, else nothing.
@@ -316,7 +317,7 @@ Result<std::vector<render::SurfaceError>> surface_errors(const Options& options,
 
 Status run(const Options& options) {
   if (!options.diff.empty())
-    if (Status ok = check_place(options.diff); !ok) return ok;
+    if (Status ok = check_places({options.diff}); !ok) return ok;
   Result<Image> a = image::read(options.a);
   if (!a) return a.error();
   Result<Image> b = image::read(options.b);
@@ -330,17 +331,10 @@ Status run(const Options& options) {
     if (Status ok = check_same_size(options.mask, *picture, options.b, *b); !ok) return ok;
     mask = mask_from(*picture);
   }
-  for (const std::string& input : {options.a, options.b, options.mask}) {
-    std::error_code ec;
-    if (!options.diff.empty() && std::filesystem::equivalent(options.diff, input, ec))
-      return Error{
-          fmt::format("{}: is an input; give the difference picture another name", options.diff)};
-  }
   if (image::is_scene_linear_extension(options.a) != image::is_scene_linear_extension(options.b))
-    fmt::print(stderr,
-               "warning: one of {} and {} holds scene-linear radiance, the other displayed "
-               "colours; the numbers compare them in linear light as they are\n",
-               options.a, options.b);
+    say("warning: one of {} and {} holds scene-linear radiance, the other displayed "
+        "colours; the numbers compare them in linear light as they are\n",
+        options.a, options.b);
 
   image::MetricOptions metric_options;
   metric_options.mask = mask;
@@ -349,12 +343,13 @@ Status run(const Options& options) {
     return Error{fmt::format("{} and {}: no pixel is left to compare ({} masked, {} not finite)",
                              options.a, options.b, metrics.masked_count, metrics.non_finite_count)};
   const Flip flip = compute_flip(options, *a, *b, mask);
+  Result<std::vector<render::SurfaceError>> surfaces = surface_errors(options, *a, *b, metrics.eps);
+  if (!surfaces) return surfaces.error();
   if (!options.diff.empty()) {
+    if (Status ok = check_not_read({options.diff}); !ok) return ok;
     const Image picture = make_difference_picture(options, *a, *b, metrics, flip, mask);
     if (Status ok = image::write_png(options.diff, picture); !ok) return ok;
   }
-  Result<std::vector<render::SurfaceError>> surfaces = surface_errors(options, *a, *b, metrics.eps);
-  if (!surfaces) return surfaces.error();
   if (options.json)
     print_json(options, *a, metrics, flip, *surfaces);
   else

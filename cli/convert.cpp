@@ -9,9 +9,11 @@
 #include "cli/convert_scene.h"
 #include "cli/fit_job.h"
 #include "cli/lobe_file.h"
+#include "cli/number.h"
 #include "cli/output_place.h"
 #include "cli/reading_options.h"
 #include "cli/shape_options.h"
+#include "openltc/base/message.h"
 #include "openltc/fit/error.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
@@ -118,13 +120,13 @@ int convert_polynomial(const ConvertArguments& arguments) {
                 k_exit_usage);
   if (Status status = table::check_polynomial_extension(arguments.output); !status)
     return fail("convert", status.error(), k_exit_usage);
-  if (Status status = check_place(arguments.output); !status)
-    return fail("convert", status.error());
   const Result<table::LobePolynomial> polynomial = table::read_polynomial(arguments.input);
   if (!polynomial) return fail("convert", polynomial.error());
+  if (Status status = check_places({arguments.output}); !status)
+    return fail("convert", status.error());
   if (Status status = table::write_polynomial(*polynomial, arguments.output); !status)
     return fail("convert", status.error());
-  if (!arguments.quiet) fmt::print(stderr, "wrote {}\n", arguments.output);
+  if (!arguments.quiet) say("wrote {}\n", arguments.output);
   return k_exit_ok;
 }
 
@@ -154,9 +156,10 @@ int run_convert(const ConvertArguments& arguments) {
     if (from.metadata.variant.empty())
       from.metadata.variant = brdf::find_brdf(arguments.brdf)->variant;
   }
-  for (const std::string& file :
-       packed_files(arguments.layout.value_or(from.layout), arguments.output))
-    if (Status status = check_place(file); !status) return fail("convert", status.error());
+  if (Status status =
+          check_places(packed_files(arguments.layout.value_or(from.layout), arguments.output));
+      !status)
+    return fail("convert", status.error());
 
   Result<table::PackedTable> to = convert(from, arguments);
   if (!to)
@@ -172,9 +175,9 @@ int run_convert(const ConvertArguments& arguments) {
   if (!written) return fail("convert", written.error());
   if (arguments.quiet) return k_exit_ok;
   for (const std::string& file : *written)
-    fmt::print(stderr, "wrote {}\n", file);
+    say("wrote {}\n", file);
   const std::string note = size_note(*to);
-  if (!note.empty()) fmt::print(stderr, "{}\n", note);
+  if (!note.empty()) say("{}\n", note);
   return k_exit_ok;
 }
 
@@ -228,8 +231,9 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->transform(one_of(layouts))
       ->type_name(words_of(layouts));
   command
-      ->add_option("--size", arguments->size, "Nodes per axis to write; as the input if not given")
-      ->check(CLI::Range(2, 512));
+      ->add_option("--size", arguments->size,
+                   "Nodes per axis to write, 2 to 512; as the input if not given")
+      ->transform(whole_number(2, 512));
   command->add_option("--brdf", arguments->brdf, "BRDF of a bare texture")
       ->check(CLI::IsMember(brdfs));
   add_shape_options(*command, arguments->emissive);

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/reading_options.h"
 #include "cli/shape_options.h"
+#include "cli/standard_streams.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
@@ -69,12 +70,12 @@ int run_inspect(const InspectArguments& arguments) {
       describe(arguments.path, arguments.emissive, arguments.reading);
   if (!description) return fail("inspect", description.error());
   if (!arguments.json) {
-    fmt::print("{}", description->text);
+    put("{}", description->text);
     return k_exit_ok;
   }
   // Names and paths may hold any bytes; they must not break the output.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  fmt::print("{}\n", description->json.dump(2, ' ', false, replace));
+  put("{}\n", description->json.dump(2, ' ', false, replace));
   return k_exit_ok;
 }
 

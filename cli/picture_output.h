@@ -27,9 +27,15 @@ std::string default_output(const std::string& scene);
 /// when there is a standard error.
 std::vector<std::string> output_files(const std::string& path, bool with_standard_error);
 
-/// Whether pictures can be written to these paths: known extensions, existing and writable folders,
-/// no file meant twice.
+/// Those of several.
+std::vector<std::string> all_output_files(const std::vector<std::string>& paths,
+                                          bool with_standard_error);
+
+/// Whether pictures can be written to these paths: known extensions, and check_places.
 Status check_outputs(const std::vector<std::string>& paths, bool with_standard_error);
+
+/// Whether an exposure has a factor that is a number; to be asked before the work.
+Status check_ev100(float ev100);
 
 /// Factor from nits to display-linear values.
 Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display);

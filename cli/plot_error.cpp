@@ -6,6 +6,7 @@
 #include "cli/against.h"
 #include "cli/fit_job.h"
 #include "cli/plot.h"
+#include "openltc/base/message.h"
 #include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/error_figure.h"
@@ -13,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 
@@ -66,7 +66,7 @@ Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const ErrorArgu
   std::string note;
   const Result<fit::Candidate> read = read_candidate(what, note);
   if (!read) return read.error();
-  if (!note.empty() && !arguments.output.quiet) fmt::print(stderr, "{}\n", note);
+  if (!note.empty() && !arguments.output.quiet) say("{}\n", note);
   return fit::MeasuredLobes{read->label, read->lobes, read->horizon};
 }
 

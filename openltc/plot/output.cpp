@@ -16,6 +16,7 @@
 
 #ifdef OPENLTC_RSVG
 #include <librsvg/rsvg.h>
+#include <sys/mman.h>
 #endif
 
 namespace openltc::plot {
@@ -67,6 +68,21 @@ Status write_figure(const std::string& path, const Figure& figure, Theme theme, 
 
 #ifdef OPENLTC_RSVG
 
+namespace {
+
+// What sets the letters starts threads, and where it cannot, it aborts, crashes or waits for ever.
+// So their address space is asked for before, as much as was found to do.
+bool has_memory_for_letters() {
+  constexpr std::size_t k_bytes = std::size_t(192) << 20;
+  void* const place = ::mmap(nullptr, k_bytes, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (place == MAP_FAILED) return false;
+  ::munmap(place, k_bytes);
+  return true;
+}
+
+} // namespace
+
 Result<image::Image> rasterise(const std::string& svg, double scale) {
   GError* error = nullptr;
   RsvgHandle* handle =
@@ -83,6 +99,10 @@ Result<image::Image> rasterise(const std::string& svg, double scale) {
     return failure("it has no size");
   const int columns = int(std::ceil(width * scale)), rows = int(std::ceil(height * scale));
   cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, columns, rows);
+  if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS || !has_memory_for_letters()) {
+    cairo_surface_destroy(surface);
+    return failure("not enough memory");
+  }
   cairo_t* cairo = cairo_create(surface);
   cairo_scale(cairo, scale, scale);
   const RsvgRectangle viewport{0, 0, width, height};

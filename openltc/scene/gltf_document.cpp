@@ -14,6 +14,7 @@
 
 #include "openltc/scene/gltf_document.h"
 
+#include "openltc/base/file_place.h"
 #include "openltc/base/quote.h"
 #include "openltc/image/file.h"
 #include "openltc/scene/gltf_broken_light.h"
@@ -296,6 +297,26 @@ void parse_with_tinygltf(const json& root, tinygltf::Model& model) {
   fail("JSON", quote(error, 200) + "; export the file again");
 }
 
+// What the file refers to is the user's, also what nothing here reads: no output may replace it.
+void note_references(const json& root, const Folder& folder) {
+  std::vector<const json*> left = {&root};
+  while (!left.empty()) {
+    const json& object = *left.back();
+    left.pop_back();
+    for (const auto& member : object.items()) {
+      const json& value = member.value();
+      if (value.is_structured()) left.push_back(&value);
+      if (member.key() != "uri" || !value.is_string()) continue;
+      const std::string& uri = value.get_ref<const std::string&>();
+      if (uri.rfind("data:", 0) == 0) continue;
+      try {
+        note_input(resolve_uri(uri, folder, ""));
+      } catch (const Failure&) { // whoever needs it says so
+      }
+    }
+  }
+}
+
 } // namespace
 
 std::string node_label(std::size_t index, const std::string& name) {
@@ -314,6 +335,7 @@ void read_document(const Container& container, const Folder& folder, Document& d
   document.lost_lights = drop_broken_lights(root, document.warnings);
   check_schema(root);
   document.base_dir = folder;
+  note_references(root, {folder.path, true}); // whether they may be read or not
   document.skin_count = array_of(root, "skins").size();
   document.animation_count = array_of(root, "animations").size();
 

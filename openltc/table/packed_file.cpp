@@ -62,17 +62,20 @@ struct File {
 
 Bytes to_bytes(const std::string& text) { return Bytes(text.begin(), text.end()); }
 
-// Every temporary file is complete before the first is renamed.
 Status write_all(std::span<const File> files) {
-  if (files.empty()) return Success{};
-  return write_atomically(files[0].path, [&](const std::string& temporary) -> Status {
-    std::ofstream out(temporary, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(files[0].bytes.data()),
-              std::streamsize(files[0].bytes.size()));
-    out.close();
-    if (!out) return Error{files[0].path + ": cannot write; is the disk full?"};
-    return write_all(files.subspan(1));
-  });
+  FileGroup together;
+  for (const File& file : files) {
+    const Status status = write_atomically(file.path, [&](const std::string& temporary) -> Status {
+      std::ofstream out(temporary, std::ios::binary);
+      out.write(reinterpret_cast<const char*>(file.bytes.data()),
+                std::streamsize(file.bytes.size()));
+      out.close();
+      if (!out) return Error{file.path + ": cannot write; is the disk full?"};
+      return Success{};
+    });
+    if (!status.ok()) return status;
+  }
+  return together.commit();
 }
 
 Result<Bytes> encode(const Texture& texture, Container container, const std::string& path) {
