@@ -55,8 +55,11 @@ Status convert_scene(const std::string& input, const std::string& output,
     say("note: {}\n", report->left[i]);
   if (report->left.size() > k_most_named)
     say("note: and {} more\n", report->left.size() - k_most_named);
-  say("wrote {}, {} light{} as EXT_lights_area\n", output, report->written,
-      report->written == 1 ? "" : "s");
+  say("wrote {}, {} light{} as EXT_lights_area{}\n", output, report->written,
+      report->written == 1 ? "" : "s",
+      report->profiles_written == 0
+          ? ""
+          : fmt::format(", {} as EXT_lights_ies", report->profiles_written));
   return Success{};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
+#include "cli/finite_numbers.h"
 #include "cli/standard_streams.h"
 #include "openltc/base/ending.h"
 #include "openltc/base/file_place.h"
@@ -61,6 +62,7 @@ int run_command(int argc, char** argv) {
   openltc::cli::add_convert(app, exit_code);
   openltc::cli::add_plot(app, exit_code);
   refuse_empty_values(app);
+  openltc::cli::require_finite_numbers(app);
 
   try {
     app.parse(argc, argv);

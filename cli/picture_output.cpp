@@ -66,7 +66,11 @@ Status check_ev100(float ev100) {
 }
 
 Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display) {
-  if (!display.ev100) return image::auto_exposure(radiance);
+  image::AutoExposureOptions options;
+  options.light = display.light_nits;
+  if (!display.ev100 && display.usual_exposure > 0)
+    return image::exposure_below_white(radiance, display.usual_exposure, options);
+  if (!display.ev100) return image::auto_exposure(radiance, options);
   if (Status status = check_ev100(*display.ev100); !status) return status.error();
   return image::exposure_from_ev100(*display.ev100);
 }

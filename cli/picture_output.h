@@ -9,6 +9,7 @@
 #include "openltc/image/file.h"
 #include "openltc/image/tonemap.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,11 @@ namespace openltc::cli {
 
 struct DisplayOptions {
   std::optional<float> ev100; ///< none = chosen from the picture
+  /// Without ev100: the factor from nits that suits the light, lowered where highlights would be
+  /// above white; 0 = not known, all is chosen from the picture.
+  float usual_exposure = 0;
+  /// Nits from which a pixel shows a light; infinity = not known.
+  float light_nits = std::numeric_limits<float>::infinity();
   image::Tonemap tonemap = image::Tonemap::neutral;
 };
 

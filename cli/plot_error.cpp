@@ -52,7 +52,7 @@ Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const ErrorArgu
   if (table || what == k_builtin_polynomial) {
     if (arguments.brdf != "ggx")
       return Error{fmt::format("the built-in {0} is of ggx, not of {1}; openltc fit --brdf {2} -o "
-                               "FILE makes one of {1}, for --table FILE",
+                               "FILE makes one of {1}; openltc plot error --table FILE draws it",
                                what, arguments.brdf, shell_word(arguments.brdf))};
     if (table) {
       const table::LobeTable& own = table::builtin_ggx_table();

@@ -16,6 +16,7 @@
 #include "openltc/base/atomic_file.h"
 #include "openltc/base/message.h"
 #include "openltc/render/renderer.h"
+#include "openltc/render/studio_room.h"
 #include "openltc/scene/gltf.h"
 #include "openltc/scene/studio.h"
 
@@ -74,8 +75,10 @@ constexpr float k_largest_half = 65504;
 // Behind what a studio rig lights: dark enough to set it off, bright enough to show dark outlines.
 // Relative to a white card of 1 nit.
 constexpr float k_studio_background_nits = 0.07f;
-// Brings that card just to white; the neutral tone curve keeps what the fill light adds.
+// Brings that card just to white; what the fill light adds may lower it.
 constexpr float k_studio_exposure = 1.2f;
+// No white paper gets as bright by the three soft boxes together: mirror images of them.
+constexpr float k_studio_light_nits = 2.0f;
 
 std::optional<float> parse_float(std::string_view text) {
   float value = 0;
@@ -128,7 +131,8 @@ struct LightsChosen {
 };
 
 /// Leaves in `scene` the lights that `choice` asks for.
-LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene::Camera& camera) {
+Result<LightsChosen> choose_lights(scene::Scene& scene, LightChoice choice,
+                                   const scene::Camera& camera) {
   LightsChosen chosen;
   if (choice == LightChoice::automatic) {
     choice = LightChoice::scene;
@@ -154,10 +158,13 @@ LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene:
     level = scene::white_level_nits(scene.lights, scene.bounds);
   else
     chosen.studio_level = true;
-  const light::Lights studio =
-      scene::studio_lights(scene.bounds, camera, level > 0 && std::isfinite(level) ? level : 1.0);
+  const Result<light::Lights> studio =
+      render::studio_for(scene, camera, level > 0 && std::isfinite(level) ? level : 1.0);
+  if (!studio) return studio.error();
+  if (studio->polygons.size() == 1 && !chosen.message.empty())
+    chosen.message += "; walls keep it out, so it is a soft box under the ceiling";
   auto& polygons = scene.lights.polygons;
-  polygons.insert(polygons.end(), studio.polygons.begin(), studio.polygons.end());
+  polygons.insert(polygons.end(), studio->polygons.begin(), studio->polygons.end());
   return chosen;
 }
 
@@ -250,11 +257,15 @@ int run_render(const RenderArguments& arguments) {
   if (!camera) return fail("render", camera.error());
   if (!size_given && camera->aspect > 0)
     options.width = std::clamp(int(float(options.height) * camera->aspect + 0.5f), 16, 8192);
-  const LightsChosen lights = choose_lights(scene, arguments.lights, *camera);
-  if (lights.studio_level) {
+  const Result<LightsChosen> lights = choose_lights(scene, arguments.lights, *camera);
+  if (!lights) return fail("render", lights.error());
+  if (lights->studio_level) {
     if (!background_given) options.background = Vec3f(k_studio_background_nits);
-    if (arguments.exposure == "auto") display.ev100 = image::ev100_from_exposure(k_studio_exposure);
+    display.usual_exposure = k_studio_exposure;
   }
+
+  display.light_nits =
+      lights->studio_level ? k_studio_light_nits : scene::least_nits_of_lights(scene.lights);
 
   ShadingLobes own_lobes;
   const Result<render::LobeSource> lobes = choose_lobes(arguments, own_lobes, scene.warnings);
@@ -270,8 +281,8 @@ int run_render(const RenderArguments& arguments) {
       triangles += mesh.triangles.size();
     say("{}: {} triangles, {} area and {} punctual lights, loaded in {:.2f} s\n", arguments.scene,
         triangles, scene.lights.area_light_count(), scene.lights.punctual.size(), load_seconds);
-    if (!lights.message.empty()) say("{}\n", lights.message);
-    if (scene.lights.empty() && lights.message.empty())
+    if (!lights->message.empty()) say("{}\n", lights->message);
+    if (scene.lights.empty() && lights->message.empty())
       say("warning: the scene has no light; --lights studio adds one\n");
   }
 
@@ -422,8 +433,10 @@ void add_render(CLI::App& app, int& exit_code) {
   add_shape_options(*command, a.emissive);
   add_reading_options(*command, a.reading);
   command
-      ->add_option("--camera", a.camera,
-                   "Camera by name or number from 0; \"frame\" shows the whole scene [the first]")
+      ->add_option(
+          "--camera", a.camera,
+          "Camera by name or number from 0; \"frame\" shows what the scene is of, without its "
+          "ground and sky, from where most of it is seen [the first]")
       ->type_name("NAME|N|frame");
   command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]")
       ->type_name("WxH");
@@ -433,8 +446,10 @@ void add_render(CLI::App& app, int& exit_code) {
                    "studio rig alone 0.07, a dark grey]")
       ->type_name("NITS");
   command
-      ->add_option("--exposure", a.exposure,
-                   "EV100 or \"auto\", from the picture or for the studio rig; for .png only")
+      ->add_option(
+          "--exposure", a.exposure,
+          "EV100 or \"auto\", from the picture or for the studio rig, 99 % of the pixels below "
+          "white; for .png only")
       ->capture_default_str()
       ->type_name("EV100|auto");
   const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},

@@ -163,8 +163,8 @@ struct PunctualLightView {
   float cos_inner = 1, cos_outer = -1;
   bool directional = false;
   ProfileView profile;          ///< no values: the same in every direction
-  float right[3] = {0, 1, 0};   ///< the profile's horizontal angle 0
-  float across[3] = {-1, 0, 0}; ///< its horizontal angle 90 degrees
+  /// The profile's own axes, world space: see light::ProfileAxes.
+  float profile_x[3] = {0, 1, 0}, profile_y[3] = {-1, 0, 0}, profile_z[3] = {0, 0, -1};
 };
 
 /// Rays of one register's lanes; a ray runs from origin to origin + direction.

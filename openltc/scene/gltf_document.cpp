@@ -347,6 +347,7 @@ void read_document(const Container& container, const Folder& folder, Document& d
   list_textures(root, document);
   list_strong_materials(root, document);
   read_extras(root, document);
+  document.ies_lights = list_ies_lights(root, document.warnings);
   reduce_for_tinygltf(root);
   const int placeholder = add_placeholder_view(root);
   parse_with_tinygltf(root, *document.model);

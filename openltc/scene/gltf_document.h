@@ -8,6 +8,7 @@
 #include "openltc/base/memory_budget.h"
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_extras.h"
+#include "openltc/scene/gltf_ies_light.h"
 #include "openltc/scene/gltf_uri.h"
 #include "openltc/scene/warnings.h"
 
@@ -68,6 +69,8 @@ struct Document {
   std::vector<NodeExtras> extras;     ///< of each node
   std::map<std::string, int> light_textures; ///< by canonical path: index into Lights::textures
   std::map<std::string, std::string> lost_light_textures; ///< and why others cannot be read
+  IesLights ies_lights;                                   ///< of EXT_lights_ies
+  ProfileFiles profiles;
   std::size_t skin_count = 0;
   std::size_t animation_count = 0;
   Warnings warnings;

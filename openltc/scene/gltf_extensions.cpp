@@ -19,8 +19,9 @@ namespace openltc::scene::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> k_supported = {
+constexpr std::array<std::string_view, 12> k_supported = {
     "EXT_lights_area",
+    "EXT_lights_ies",
     "EXT_meshopt_compression",
     "KHR_draco_mesh_compression",
     "KHR_lights_punctual",

@@ -218,6 +218,8 @@ private:
     if (area != node.extensions.end())
       read_area_light(document_, area->second.Get("light").GetNumberAsInt(), to_world, node.name,
                       extras.surface_deviation, scene_.lights);
+    if (const IesNode* ies = document_.ies_lights.of_node(index))
+      read_ies_light(document_, *ies, to_world, node.name, scene_.lights);
     if (extras.light) place_extras_light(index, *extras.light, to_world, first_mesh);
   }
 

@@ -271,7 +271,8 @@ Result<PackedTable> read_packed(const std::string& path, std::optional<Layout> l
       packed.angle_axis = angle_axis_of(*layout);
     } else {
       return Error{fmt::format("{}: says nothing about its layout; openltc inspect finds out what "
-                               "it most probably is, then name it with --from-layout",
+                               "it most probably is; openltc convert --from-layout then makes a "
+                               "file of it that says so",
                                path)};
     }
     const std::size_t count = facts_of(packed.layout).channels.size();

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
+#include "openltc/base/address_space.h"
 #include "openltc/base/regular_file.h"
 
 #include <doctest/doctest.h>
@@ -126,4 +127,12 @@ TEST_CASE("a file whose size is unknown is read to its end, but not beyond the l
   const auto cut = read_regular_text("/proc/self/status", 10);
   REQUIRE_FALSE(cut.ok());
   CHECK(has(cut.error().message, "more than the 10 bytes"));
+}
+
+TEST_CASE("address space is there or not, and given back") {
+  CHECK(has_address_space(0));
+  for (int i = 0; i < 1000; ++i) // not kept
+    REQUIRE(has_address_space(std::uint64_t(1) << 24));
+  CHECK_FALSE(has_address_space(std::uint64_t(1) << 62));
+  CHECK_FALSE(has_address_space(k_any_size));
 }
