@@ -3,10 +3,12 @@
 
 #include "cli/camera_choice.h"
 
+#include "openltc/base/quote.h"
 #include "openltc/render/view_choice.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace openltc::cli {
@@ -23,8 +25,11 @@ Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string
   if (error == std::errc() && end == choice.data() + choice.size() && index < scene.cameras.size())
     return scene.cameras[index];
   std::string known = "\"frame\"";
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-    known += fmt::format(", {} \"{}\"", i, scene.cameras[i].name);
+  constexpr std::size_t k_most_named = 12;
+  for (std::size_t i = 0; i < std::min(scene.cameras.size(), k_most_named); ++i)
+    known += fmt::format(", {} \"{}\"", i, quote(scene.cameras[i].name));
+  if (scene.cameras.size() > k_most_named)
+    known += fmt::format(" and {} more", scene.cameras.size() - k_most_named);
   return Error{fmt::format("{}: --camera {}: no such camera; there are {}", file, choice, known)};
 }
 

@@ -8,6 +8,7 @@
 #include "cli/compare_input.h"
 #include "cli/convert_picture.h"
 #include "cli/output_place.h"
+#include "cli/reading_options.h"
 #include "cli/standard_streams.h"
 #include "openltc/base/message.h"
 #include "openltc/image/difference.h"
@@ -70,6 +71,7 @@ struct Options {
   std::string exposure;
   float pixels_per_degree = image::FlipOptions{}.pixels_per_degree;
   float scale = 0.0f;
+  scene::ReadOptions reading;
   bool json = false;
 };
 
@@ -313,7 +315,7 @@ void print_table(const Options& options, const ComparedPicture& picture_a,
 Result<std::vector<render::SurfaceError>> surface_errors(const Options& options, const Image& a,
                                                          const Image& b, double eps) {
   if (options.scene.empty()) return std::vector<render::SurfaceError>();
-  Result<scene::Scene> scene = scene::load_gltf(options.scene);
+  Result<scene::Scene> scene = scene::load_gltf(options.scene, {}, options.reading);
   if (!scene) return scene.error();
   Result<scene::Camera> camera =
       choose_camera(*scene, options.camera, options.scene, float(a.width) / float(a.height));
@@ -410,6 +412,7 @@ void add_compare(CLI::App& app, int& exit_code) {
       ->add_option("--camera", options->camera,
                    "The camera they show it from, as for openltc render [the first]")
       ->needs("--scene");
+  add_reading_options(*command, options->reading);
   command->add_option("--mask", options->mask,
                       "Compare only pixels where this picture is not black");
   command

@@ -13,6 +13,7 @@
 #include "cli/lobe_file.h"
 #include "cli/number.h"
 #include "cli/output_place.h"
+#include "cli/reading_options.h"
 #include "cli/shape_options.h"
 #include "openltc/base/message.h"
 #include "openltc/fit/error.h"
@@ -45,6 +46,7 @@ struct ConvertArguments {
   int size = 0;
   std::string brdf;
   scene::EmissiveOptions emissive;
+  scene::ReadOptions reading;
   PictureConversion picture;
   bool quiet = false;
 
@@ -147,9 +149,9 @@ int convert_lights(const ConvertArguments& arguments) {
                                   "--brdf are for tables",
                                   arguments.input, is_scene ? "a scene" : "photometry")});
   const Status status =
-      is_scene
-          ? convert_scene(arguments.input, arguments.output, arguments.emissive, arguments.quiet)
-          : convert_photometry(arguments.input, arguments.output, arguments.quiet);
+      is_scene ? convert_scene(arguments.input, arguments.output, arguments.emissive,
+                               arguments.reading, arguments.quiet)
+               : convert_photometry(arguments.input, arguments.output, arguments.quiet);
   return status.ok() ? k_exit_ok : fail("convert", status.error());
 }
 
@@ -292,6 +294,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->transform(one_of(tonemaps))
       ->type_name(words_of(tonemaps));
   add_shape_options(*command, arguments->emissive);
+  add_reading_options(*command, arguments->reading);
   command->add_flag("--quiet", arguments->quiet, "No messages on stderr");
   command->callback([arguments, &exit_code] { exit_code = run_convert(*arguments); });
 }

@@ -37,12 +37,14 @@ bool is_scene_file(const std::string& path) {
 }
 
 Status convert_scene(const std::string& input, const std::string& output,
-                     const scene::EmissiveOptions& emissive, bool quiet) {
+                     const scene::EmissiveOptions& emissive, const scene::ReadOptions& reading,
+                     bool quiet) {
   if (extension_of(output) != ".glb")
     return Error{fmt::format("{}: a scene is written as .glb, not to {}", input, output)};
   if (Status status = check_places({output}); !status) return status.error();
   FileGroup held; // until it is known what was read
-  const Result<scene::ExportReport> report = scene::export_area_lights(input, output, emissive);
+  const Result<scene::ExportReport> report =
+      scene::export_area_lights(input, output, emissive, reading);
   if (!report) return report.error();
   if (Status status = check_not_read({output}); !status) return status.error();
   if (Status status = held.commit(); !status) return status.error();

@@ -6,6 +6,7 @@
 #include "cli/inspect.h"
 
 #include "cli/commands.h"
+#include "cli/reading_options.h"
 #include "cli/shape_options.h"
 #include "cli/standard_streams.h"
 #include "openltc/image/file.h"
@@ -28,6 +29,7 @@ struct InspectArguments {
   std::string path, layer;
   bool json = false;
   scene::EmissiveOptions emissive;
+  scene::ReadOptions reading;
 };
 
 struct Kind {
@@ -45,7 +47,8 @@ constexpr Kind k_kinds[] = {
     {".ldt", inspect_photometry},
 };
 
-Result<Description> describe(const std::string& path, const scene::EmissiveOptions& emissive) {
+Result<Description> describe(const std::string& path, const scene::EmissiveOptions& emissive,
+                             const scene::ReadOptions& reading) {
   std::error_code ec;
   const auto status = std::filesystem::status(path, ec);
   if (std::filesystem::is_directory(status)) return Error{fmt::format("{}: is a directory", path)};
@@ -57,7 +60,7 @@ Result<Description> describe(const std::string& path, const scene::EmissiveOptio
       // A table of two files goes by the name of neither: ggx.dds is ggx_1.dds and ggx_2.dds.
       const bool may_be_two = kind.inspect == inspect_table || kind.inspect == inspect_exr;
       if (!std::filesystem::exists(status) && !(may_be_two && table::table_exists(path))) break;
-      return kind.inspect ? kind.inspect(path) : inspect_scene(path, emissive);
+      return kind.inspect ? kind.inspect(path) : inspect_scene(path, emissive, reading);
     }
   if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
   return Error{fmt::format(
@@ -70,9 +73,9 @@ Result<Description> describe(const std::string& path, const scene::EmissiveOptio
 int run_inspect(const InspectArguments& arguments) {
   image::PictureName name = image::split_picture_name(arguments.path);
   if (!arguments.layer.empty()) name.layer = arguments.layer;
-  const Result<Description> description = name.layer.empty()
-                                              ? describe(name.path, arguments.emissive)
-                                              : inspect_picture(name.path, name.layer);
+  const Result<Description> description =
+      name.layer.empty() ? describe(name.path, arguments.emissive, arguments.reading)
+                         : inspect_picture(name.path, name.layer);
   if (!description) return fail("inspect", description.error());
   if (!arguments.json) {
     put("{}", description->text);
@@ -119,6 +122,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
   command->add_option("--layer", arguments->layer,
                       "Of an .exr this layer only; FILE.exr:LAYER means the same");
   add_shape_options(*command, arguments->emissive);
+  add_reading_options(*command, arguments->reading);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->callback([arguments, &exit_code] { exit_code = run_inspect(*arguments); });
 }

@@ -7,6 +7,7 @@
 
 #include "openltc/base/result.h"
 #include "openltc/scene/emissive.h"
+#include "openltc/scene/read_options.h"
 #include "openltc/table/lobe_table.h"
 
 #include <nlohmann/json.hpp>
@@ -39,6 +40,7 @@ Result<Description> inspect_picture(const std::string& path, const std::string& 
 /// A photometric file, .ies .ldt: flux, peak, angles, symmetry, opening, what it states.
 Result<Description> inspect_photometry(const std::string& path);
 /// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, warnings.
-Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive);
+Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive,
+                                  const scene::ReadOptions& reading);
 
 } // namespace openltc::cli

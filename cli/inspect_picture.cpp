@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/inspect.h"
+#include "openltc/base/quote.h"
 #include "openltc/image/file.h"
 #include "openltc/image/tonemap.h"
 
@@ -67,12 +68,14 @@ nlohmann::ordered_json as_json(const image::Window& window) {
 // What the layer is, where that is more than a plain picture.
 void describe_kind(const image::LayerInfo& info, Description& out, nlohmann::ordered_json& layer) {
   std::string text = image::name_of(info.kind);
-  if (!info.part_name.empty()) text += fmt::format(", part {} '{}'", info.part, info.part_name);
+  if (!info.part_name.empty())
+    text += fmt::format(", part {} '{}'", info.part, quote(info.part_name));
   if (info.other_primaries) text += ", converted to Rec.709";
   const bool plain =
       info.kind == image::LayerKind::color && info.name.empty() && !info.other_primaries;
   if (!plain)
-    out.text += fmt::format("layer      {}{}{}\n", info.name, info.name.empty() ? "" : ": ", text);
+    out.text +=
+        fmt::format("layer      {}{}{}\n", quote(info.name), info.name.empty() ? "" : ": ", text);
   if (!(info.data == info.display))
     out.text += fmt::format("data       {}; the picture is {}, the rest of it 0\n",
                             image::describe(info.data), image::describe(info.display));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/inspect.h"
+#include "openltc/base/quote.h"
 #include "openltc/fit/certificate.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/table/polynomial_file.h"
@@ -44,9 +45,10 @@ Result<Description> inspect_polynomial(const std::string& path) {
   Description out;
   out.text = fmt::format("lobe polynomial of degree {}, {} terms of A B C D n1 n5, width {}\n",
                          read->degree, terms, width);
-  out.text += fmt::format("brdf       {} ({})\n", m.brdf, m.variant);
-  out.text += fmt::format("objective  {}\n", m.objective);
-  out.text += fmt::format("made by    {} (OpenLTC {})\n", m.command, m.tool_version);
+  out.text += fmt::format("brdf       {} ({})\n", quote(m.brdf), quote(m.variant));
+  out.text += fmt::format("objective  {}\n", quote(m.objective));
+  out.text +=
+      fmt::format("made by    {} (OpenLTC {})\n", quote(m.command, 400), quote(m.tool_version));
   out.text += stated_errors(m);
   out.text += proper
                   ? fmt::format("certified  A D - w B C >= {:.2e} over the whole domain; no lobe "

@@ -5,6 +5,7 @@
 // candela, flux in lumens. A light's colour is weighed by Rec.709 luminance.
 
 #include "cli/inspect.h"
+#include "openltc/base/quote.h"
 #include "openltc/image/tonemap.h"
 #include "openltc/light/curved.h"
 #include "openltc/light/emission_stack.h"
@@ -75,7 +76,7 @@ void describe_cameras(const scene::Scene& scene, Description& out) {
     if (camera.aspect > 0) json["aspect"] = camera.aspect;
     out.json["cameras"].push_back(json);
     out.text +=
-        fmt::format("camera     {} \"{}\": {}\n", i, camera.name,
+        fmt::format("camera     {} \"{}\": {}\n", i, quote(camera.name),
                     is_perspective ? fmt::format("perspective, {:.1f} degrees high",
                                                  degrees(double(camera.fov_y_rad)))
                                    : fmt::format("orthographic, {:.4g} m high", camera.height));
@@ -194,7 +195,7 @@ void describe_light(const Light& light, const light::Lights& lights, Description
   out.json["lights"].push_back(json);
   if (is_listed)
     out.text += fmt::format("light      \"{}\": {}, {:.4g} m2, {:.4g} nits, {:.4g} lm{}\n",
-                            light.name, shape.text, area, nits, lumens, more);
+                            quote(light.name), shape.text, area, nits, lumens, more);
 }
 
 void describe_light(const light::LineLight& light, const light::Lights&, Description& out,
@@ -211,7 +212,7 @@ void describe_light(const light::LineLight& light, const light::Lights&, Descrip
                                 {"flux_lumens", lumens}});
   if (is_listed)
     out.text += fmt::format("light      \"{}\": line, {:.4g} m long, {:.4g} cd/m, {:.4g} lm\n",
-                            light.name, metres, strength, lumens);
+                            quote(light.name), metres, strength, lumens);
 }
 
 void describe_punctual(const light::PunctualLight& light, Description& out, bool is_listed) {
@@ -236,7 +237,7 @@ void describe_punctual(const light::PunctualLight& light, Description& out, bool
   }
   if (light.profile) {
     json["profile"] = light.profile->name;
-    text += fmt::format(", profile \"{}\"", light.profile->name);
+    text += fmt::format(", profile \"{}\"", quote(light.profile->name));
   }
   if (light.type == light::PunctualType::spot) {
     const double inner = degrees(std::acos(std::clamp(double(light.cos_inner), -1.0, 1.0)));
@@ -250,17 +251,23 @@ void describe_punctual(const light::PunctualLight& light, Description& out, bool
     text += fmt::format(", range {:.4g} m", light.range);
   }
   out.json["lights"].push_back(json);
-  if (is_listed) out.text += fmt::format("light      \"{}\": {}, {}\n", light.name, type, text);
+  if (is_listed)
+    out.text += fmt::format("light      \"{}\": {}, {}\n", quote(light.name), type, text);
 }
 
-void describe_lights(const light::Lights& lights, Description& out) {
+void describe_lights(const scene::Scene& scene, Description& out) {
+  const light::Lights& lights = scene.lights;
   out.json["lights"] = Json::array();
   std::size_t listed = 0;
   lights.for_each_area_light(
       [&](const auto& light) { describe_light(light, lights, out, listed++ < k_max_listed); });
   for (const light::PunctualLight& light : lights.punctual)
     describe_punctual(light, out, listed++ < k_max_listed);
-  if (listed == 0) out.text += "light      none; a studio rig will light it\n";
+  out.json["describes_lights"] = scene.describes_lights;
+  if (listed == 0)
+    out.text += scene.describes_lights
+                    ? "light      none that can be used, though the file describes some\n"
+                    : "light      none; a studio rig will light it\n";
   if (listed > k_max_listed)
     out.text +=
         fmt::format("light      and {} more; --json lists them all\n", listed - k_max_listed);
@@ -268,14 +275,15 @@ void describe_lights(const light::Lights& lights, Description& out) {
 
 } // namespace
 
-Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive) {
-  const Result<scene::Scene> scene = scene::load_gltf(path, emissive);
+Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive,
+                                  const scene::ReadOptions& reading) {
+  const Result<scene::Scene> scene = scene::load_gltf(path, emissive, reading);
   if (!scene) return scene.error();
   Description out;
   out.json = {{"file", path}, {"kind", "scene"}};
   describe_geometry(*scene, out);
   describe_cameras(*scene, out);
-  describe_lights(scene->lights, out);
+  describe_lights(*scene, out);
   out.json["warnings"] = scene->warnings;
   for (const std::string& warning : scene->warnings)
     out.text += fmt::format("warning    {}\n", warning);

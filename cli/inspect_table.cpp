@@ -3,6 +3,7 @@
 
 #include "cli/inspect.h"
 #include "cli/lobe_file.h"
+#include "openltc/base/quote.h"
 #include "openltc/fit/error.h"
 #include "openltc/fit/identify.h"
 #include "openltc/table/divided.h"
@@ -74,10 +75,11 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
   out.text += fmt::format("layout     {}, {} ({})\n", name_of(packed.layout),
                           name_of(packed.precision), facts.readers);
   out.text += fmt::format("packing    {}\n", facts.normalisation);
-  out.text += fmt::format("brdf       {} ({})\n", m.brdf, m.variant);
-  out.text += fmt::format("objective  {}\n", m.objective);
+  out.text += fmt::format("brdf       {} ({})\n", quote(m.brdf), quote(m.variant));
+  out.text += fmt::format("objective  {}\n", quote(m.objective));
   out.text += fmt::format("horizon    {}\n", horizon_in_words(packed));
-  out.text += fmt::format("made by    {} (OpenLTC {})\n", m.command, m.tool_version);
+  out.text +=
+      fmt::format("made by    {} (OpenLTC {})\n", quote(m.command, 400), quote(m.tool_version));
   out.text += stated_errors(m);
   out.json = {{"file", path},
               {"kind", "table"},

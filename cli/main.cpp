@@ -7,6 +7,7 @@
 #include "openltc/base/ending.h"
 #include "openltc/base/file_place.h"
 #include "openltc/base/message.h"
+#include "openltc/base/quote.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,8 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   std::string what = error.what();
   if (app->get_subcommands().empty() && !app->remaining().empty())
     what = fmt::format("no command or option '{}'", app->remaining()[0]);
-  std::replace(what.begin(), what.end(), '\n', ' ');
+  std::replace(what.begin(), what.end(), '\n', ' '); // CLI11 lists on lines of their own
+  what = openltc::escaped(what);
   return fmt::format("{0}: {1}; see {0} --help\n", command, what);
 }
 
@@ -81,7 +83,7 @@ int run_guarded(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     openltc::say_text("openltc: not enough memory for this job\n");
   } catch (const std::exception& e) {
-    openltc::say("openltc: {}\n", e.what());
+    openltc::say("openltc: {}\n", openltc::escaped(e.what()));
   }
   return openltc::cli::k_exit_failed;
 }
@@ -89,7 +91,7 @@ int run_guarded(int argc, char** argv) {
 } // namespace
 
 int openltc::cli::fail(const std::string& command, const Error& error, ExitCode code) {
-  say("openltc {}: {}\n", command, error.message);
+  say("openltc {}: {}\n", command, escaped(error.message));
   return code;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/number.h"
 #include "cli/output_place.h"
 #include "cli/picture_output.h"
+#include "cli/reading_options.h"
 #include "cli/shape_options.h"
 #include "cli/standard_streams.h"
 #include "openltc/base/atomic_file.h"
@@ -62,6 +63,7 @@ struct RenderArguments {
   int threads = 0;
   std::string kernel = "auto";
   scene::EmissiveOptions emissive;
+  scene::ReadOptions reading;
   bool half = false;
   bool quiet = false;
   bool json = false;
@@ -134,7 +136,12 @@ Result<LightsChosen> choose_lights(scene::Scene& scene, LightChoice choice,
   LightsChosen chosen;
   if (choice == LightChoice::automatic) {
     choice = LightChoice::scene;
-    if (scene.lights.empty()) {
+    // What the file says of its lights stands, also when it is dim or cannot be read.
+    if (scene.describes_lights) {
+      if (scene.lights.empty())
+        chosen.message = "warning: the file describes lights, but none that can be used: the "
+                         "picture is dark; --lights studio lights it";
+    } else if (scene.lights.empty()) {
       choice = LightChoice::studio;
       chosen.message = "no lights in the file: lit by a studio rig of three soft boxes (--lights)";
     } else if (only_glows(scene.lights)) {
@@ -237,7 +244,8 @@ int run_render(const RenderArguments& arguments) {
     say("warning: one sample per pixel has no standard error; it is left out\n");
 
   const auto load_start = std::chrono::steady_clock::now();
-  Result<scene::Scene> loaded = scene::load_gltf(arguments.scene, arguments.emissive);
+  Result<scene::Scene> loaded =
+      scene::load_gltf(arguments.scene, arguments.emissive, arguments.reading);
   if (!loaded) return fail("render", loaded.error());
   scene::Scene& scene = *loaded;
   const double load_seconds =
@@ -274,7 +282,8 @@ int run_render(const RenderArguments& arguments) {
     say("{}: {} triangles, {} area and {} punctual lights, loaded in {:.2f} s\n", arguments.scene,
         triangles, scene.lights.area_light_count(), scene.lights.punctual.size(), load_seconds);
     if (!lights->message.empty()) say("{}\n", lights->message);
-    if (scene.lights.empty()) say("warning: the scene has no light; --lights studio adds one\n");
+    if (scene.lights.empty() && lights->message.empty())
+      say("warning: the scene has no light; --lights studio adds one\n");
   }
 
   Result<render::Picture> picture = render::render(scene, *camera, *lobes, options);
@@ -347,9 +356,8 @@ void add_render(CLI::App& app, int& exit_code) {
   command->footer(
       "Area lights are integrated in closed form with linearly transformed cosines (LTC), so the\n"
       "light itself has no noise; shadows are sampled. Lights come from the file: emissive\n"
-      "surfaces, KHR_lights_punctual, EXT_lights_area, openltc_light in a node's extras. A file "
-      "without lights gets a studio rig, a\n"
-      "file without camera is framed.\n"
+      "surfaces, KHR_lights_punctual, EXT_lights_area, openltc_light in a node's extras. A file\n"
+      "that says nothing of lights gets a studio rig, a file without camera is framed.\n"
       "\n"
       "Examples:\n"
       "  openltc render helmet.glb                          writes helmet.png here\n"
@@ -419,10 +427,11 @@ void add_render(CLI::App& app, int& exit_code) {
   command
       ->add_option("--lights", a.lights,
                    "Which lights: those of the scene, a studio rig of three soft boxes, or both "
-                   "[scene; studio where it has none]")
+                   "[scene; studio where it says nothing of lights]")
       ->transform(one_of(choices))
       ->type_name(words_of(choices));
   add_shape_options(*command, a.emissive);
+  add_reading_options(*command, a.reading);
   command
       ->add_option(
           "--camera", a.camera,

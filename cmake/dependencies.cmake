@@ -44,5 +44,13 @@ if(NOT TARGET PkgConfig::rsvg)
   message(STATUS "librsvg not found: openltc plot writes .svg only")
 endif()
 
+# Optional: textures in WebP.
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(webp QUIET IMPORTED_TARGET GLOBAL libwebp)
+endif()
+if(NOT TARGET PkgConfig::webp)
+  message(STATUS "libwebp not found: WebP textures will be left out, with a warning")
+endif()
+
 # Debian's CMake may otherwise pick a Python that is not the distribution's.
 find_program(OPENLTC_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)

@@ -30,7 +30,7 @@ k_root_list_lines = 80
 
 k_include = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 k_private_headers = re.compile(
-    r"^(embree[34]?/|tiny_gltf|draco/|meshoptimizer|OpenEXR/|Imf|png\.h|jpeglib|stb_|stb/|librsvg/)")
+    r"^(embree[34]?/|tiny_gltf|draco/|meshoptimizer|OpenEXR/|Imf|png\.h|jpeglib|stb_|stb/|librsvg/|webp/)")
 k_private_headers_allowed = {"openltc/render/embree.h", "openltc/image/exr_input.h"}
 
 

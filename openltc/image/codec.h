@@ -11,9 +11,9 @@
 
 namespace openltc::image::codec {
 
-/// Integer samples as PNG and JPEG hold them, before any transfer function: interleaved rows, top
-/// row first, `channels` 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha.
-/// Exactly one of the two vectors is used.
+/// Integer samples as PNG, JPEG and WebP hold them, before any transfer function: interleaved rows,
+/// top row first, `channels` 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha. Exactly one of the
+/// two vectors is used.
 struct Samples {
   int width = 0;
   int height = 0;
@@ -24,10 +24,14 @@ struct Samples {
 
 bool is_png(std::span<const std::uint8_t> bytes);
 bool is_jpeg(std::span<const std::uint8_t> bytes);
+bool is_webp(std::span<const std::uint8_t> bytes);
+/// Whether this build can decode WebP.
+bool has_webp();
 
 /// Each takes the whole file's bytes; errors begin with `name`.
 Result<Samples> decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
 Result<Samples> decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Samples> decode_webp(std::span<const std::uint8_t> bytes, const std::string& name);
 Result<Image> decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// An OpenEXR file, or its bytes: the layer that choose_layer finds, and all layers.
@@ -42,6 +46,11 @@ const std::array<float, 256>& linear_from_srgb8();
 
 /// An error when a picture of this size is empty or beyond the limits of file.h.
 Status check_size(const std::string& name, std::int64_t width, std::int64_t height);
+
+/// check_size, and an error when its samples, `bytes_per_pixel` each, are more than the memory that
+/// files may ask for (base/memory_budget.h).
+Status check_readable(const std::string& name, std::int64_t width, std::int64_t height,
+                      std::size_t bytes_per_pixel);
 
 /// check_size, and `channels` is 1, 3 or 4 and matches the amount of data.
 Status check_writable(const std::string& path, const Image& image);

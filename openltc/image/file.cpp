@@ -5,6 +5,7 @@
 
 #include "openltc/image/file.h"
 
+#include "openltc/base/memory_budget.h"
 #include "openltc/base/regular_file.h"
 #include "openltc/image/codec.h"
 
@@ -12,7 +13,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 namespace openltc::image {
 
@@ -32,12 +36,47 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
   return bytes;
 }
 
+// Formats that are recognised so that messages can name them.
+std::string_view foreign_format(std::span<const std::uint8_t> bytes) {
+  constexpr struct {
+    std::string_view name;
+    std::size_t at;
+    std::string_view magic;
+  } formats[] = {{"KTX2", 0, "\xABKTX 20\xBB"},
+                 {"KTX", 0, "\xABKTX 11\xBB"},
+                 {"Basis Universal", 0, "sB\x13"},
+                 {"DDS", 0, "DDS "},
+                 {"AVIF", 4, "ftypavif"},
+                 {"HEIF", 4, "ftyphei"},
+                 {"JPEG XL", 0, "\xFF\x0A"},
+                 {"JPEG XL", 4, "JXL "},
+                 {"JPEG 2000", 4, "jP  "},
+                 {"GIF", 0, "GIF8"},
+                 {"BMP", 0, "BM"},
+                 {"TIFF", 0, "II*"},
+                 {"TIFF", 0, "MM"},
+                 {"OpenEXR", 0, "\x76\x2F\x31\x01"},
+                 {"Radiance", 0, "#?"},
+                 {"Photoshop", 0, "8BPS"},
+                 {"SVG", 0, "<svg"},
+                 {"HTML", 0, "<!DOCTYPE html"}};
+  for (const auto& format : formats)
+    if (bytes.size() >= format.at + format.magic.size() &&
+        std::memcmp(bytes.data() + format.at, format.magic.data(), format.magic.size()) == 0)
+      return format.name;
+  return {};
+}
+
 Result<codec::Samples> decode_samples(std::span<const std::uint8_t> bytes,
                                       const std::string& name) {
   if (codec::is_png(bytes)) return codec::decode_png(bytes, name);
   if (codec::is_jpeg(bytes)) return codec::decode_jpeg(bytes, name);
+  if (codec::is_webp(bytes)) return codec::decode_webp(bytes, name);
   if (bytes.empty()) return Error{fmt::format("{}: no data", name)};
-  return Error{fmt::format("{}: neither a PNG nor a JPEG file", name)};
+  const std::string_view other = foreign_format(bytes);
+  return Error{fmt::format("{}: {}; PNG, JPEG and WebP can be read", name,
+                           other.empty() ? "not a picture of a known format"
+                                         : fmt::format("a picture in the format {}", other))};
 }
 
 // `color` turns a sample into a colour, `scale` into alpha.
@@ -91,6 +130,14 @@ Status codec::check_size(const std::string& name, std::int64_t width, std::int64
   return Success{};
 }
 
+Status codec::check_readable(const std::string& name, std::int64_t width, std::int64_t height,
+                             std::size_t bytes_per_pixel) {
+  if (Status ok = check_size(name, width, height); !ok) return ok;
+  const std::uint64_t pixels = std::uint64_t(width) * std::uint64_t(height);
+  return memory_budget().check(pixels * bytes_per_pixel,
+                               fmt::format("{}: a picture of {}x{} pixels", name, width, height));
+}
+
 Status codec::check_writable(const std::string& path, const Image& image) {
   if (Status ok = check_size(path, image.width, image.height); !ok) return ok;
   if (image.channels != 1 && image.channels != 3 && image.channels != 4)
@@ -109,15 +156,20 @@ Result<Image> read(const std::string& path) try {
     return image ? Result<Image>(grey_as_rgb(std::move(*image))) : image;
   }
   if (!is_readable_extension(path))
-    return Error{fmt::format("{}: unknown picture format '{}'; .exr, .hdr, .png, .jpg and .jpeg "
-                             "can be read",
+    return Error{fmt::format("{}: unknown picture format '{}'; .exr, .hdr, .png, .jpg, .jpeg and "
+                             ".webp can be read",
                              path, extension)};
   Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
   if (!bytes) return bytes.error();
   if (extension == ".hdr") return codec::decode_radiance(*bytes, path);
   Result<codec::Samples> samples = decode_samples(*bytes, path);
   if (!samples) return samples.error();
-  return to_image(*samples, samples->channels % 2 == 0 ? 4 : 3, true);
+  const int channels = samples->channels % 2 == 0 ? 4 : 3;
+  if (Status ok = codec::check_readable(path, samples->width, samples->height,
+                                        std::size_t(channels) * sizeof(float));
+      !ok)
+    return ok.error();
+  return to_image(*samples, channels, true);
 } catch (const std::bad_alloc&) {
   return Error{fmt::format("{}: not enough memory for the picture", path)};
 }
@@ -178,10 +230,25 @@ Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& nam
   return Error{fmt::format("{}: not enough memory for the picture", name)};
 }
 
+Result<Texels> decode_texels(std::span<const std::uint8_t> bytes, const std::string& name,
+                             bool srgb_to_linear) try {
+  Result<codec::Samples> samples = decode_samples(bytes, name);
+  if (!samples) return samples.error();
+  const auto keep = [&](auto& values) {
+    return Texels(samples->width, samples->height, samples->channels, std::move(values),
+                  srgb_to_linear);
+  };
+  return samples->bits8.empty() ? keep(samples->bits16) : keep(samples->bits8);
+} catch (const std::bad_alloc&) {
+  return Error{fmt::format("{}: not enough memory for the picture", name)};
+}
+
+bool can_read_webp() { return codec::has_webp(); }
+
 bool is_readable_extension(const std::string& path) {
   const std::string extension = lower_extension(path);
   return extension == ".exr" || extension == ".hdr" || extension == ".png" || extension == ".jpg" ||
-         extension == ".jpeg";
+         extension == ".jpeg" || extension == ".webp";
 }
 
 bool is_writable_extension(const std::string& path) {

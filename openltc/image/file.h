@@ -13,6 +13,7 @@
 #include "openltc/base/result.h"
 #include "openltc/image/image.h"
 #include "openltc/image/layer.h"
+#include "openltc/image/texels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +29,7 @@ inline constexpr std::size_t k_max_pixels = std::size_t(1) << 27;
 
 enum class ExrPrecision { half_float, full_float };
 
-/// Reads .exr, .hdr (scene-linear) or .png, .jpg, .jpeg (sRGB, decoded to linear).
+/// Reads .exr, .hdr (scene-linear) or .png, .jpg, .jpeg, .webp (sRGB, decoded to linear).
 /// The result has 3 channels, or 4 where the file has alpha; grey is repeated in all three.
 /// Of an EXR file it is the picture of the file (choose_layer) in its display window, black where
 /// the file has no data. Luminance with chroma, CIE XYZ and other primaries become linear Rec.709.
@@ -64,12 +65,19 @@ struct PictureName {
 /// Cuts FILE.exr:LAYER behind .exr (any case). A file of the whole name goes before that.
 PictureName split_picture_name(const std::string& name);
 
-/// Decodes the bytes of a PNG or JPEG file, told apart by their first bytes, to 4 channels in
+/// Decodes the bytes of a PNG, JPEG or WebP file, told apart by their first bytes, to 4 channels in
 /// [0, 1]; alpha is 1 where the file has none. Colours are decoded from sRGB to linear if
 /// `srgb_to_linear` is set (base colour, emission), else only scaled (normals, roughness); alpha is
 /// only scaled. An error begins with `name`.
 Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& name,
                      bool srgb_to_linear);
+
+/// The same in the file's own precision: the same values, a quarter of the memory or half.
+Result<Texels> decode_texels(std::span<const std::uint8_t> bytes, const std::string& name,
+                             bool srgb_to_linear);
+
+/// Whether this build reads WebP.
+bool can_read_webp();
 
 /// Writes an EXR file: channels R G B (A), or Y, of the first layer, whose name is empty, and
 /// NAME.R NAME.G NAME.B (NAME.A), or NAME.Y, of the others. All layers have the same size.

@@ -108,7 +108,9 @@ Result<Samples> decode_jpeg(std::span<const std::uint8_t> bytes, const std::stri
   if (!stbi_info_from_memory(bytes.data(), size, &samples.width, &samples.height,
                              &samples.channels))
     return Error{fmt::format("{}: cannot decode JPEG: {}", name, stbi_failure_reason())};
-  if (Status ok = check_size(name, samples.width, samples.height); !ok) return ok.error();
+  // Progressive ones keep coefficients of two bytes for each channel, and the picture is copied
+  // once.
+  if (Status ok = check_readable(name, samples.width, samples.height, 12); !ok) return ok.error();
   if (samples.channels != 1) samples.channels = 3;
 
   int channels_in_file = 0;

@@ -132,7 +132,9 @@ Result<codec::Samples> codec::decode_png(std::span<const std::uint8_t> bytes,
   if (!reader.png || !reader.info) return Error{fmt::format("{}: libpng does not start", name)};
   if (!read_header(reader, source, header))
     return Error{fmt::format("{}: cannot decode PNG: {}", name, message.text)};
-  if (Status ok = check_size(name, header.width, header.height); !ok) return ok.error();
+  const std::size_t pixel_bytes = std::size_t(header.channels * header.bit_depth / 8);
+  if (Status ok = check_readable(name, header.width, header.height, pixel_bytes); !ok)
+    return ok.error();
 
   // Deflate shrinks by a factor of 1032 at most, and a sample takes at least one bit of the file.
   const std::size_t count =

@@ -106,7 +106,13 @@ bool make_frame(const Emitter& light, Vec3d origin, Vec3d normal, PlaneFrame& fr
   return true;
 }
 
-// Mean of the pixels that fall into each of columns x rows equal parts, along one axis at a time.
+Vec3f sane_pixel(const image::Image& from, int x, int y) {
+  const Vec3f value = from.rgb(x, y);
+  return {sane(value.x), sane(value.y), sane(value.z)};
+}
+
+// Mean of the pixels, sane, that fall into each of columns x rows equal parts, along one axis at a
+// time.
 image::Image reduced(const image::Image& from, int columns, int rows) {
   image::Image wide(columns, from.height, 3), result(columns, rows, 3);
   const auto gather = [](int from_size, int to_size, auto&& add) {
@@ -118,11 +124,16 @@ image::Image reduced(const image::Image& from, int columns, int rows) {
         add(i, k, float((std::min(upper, k + 1.0) - std::max(lower, double(k))) / scale));
     }
   };
-  gather(from.width, columns, [&](int i, int k, float weight) {
-    for (int y = 0; y < from.height; ++y)
-      for (int c = 0; c < 3; ++c)
-        wide.pixel(i, y)[c] += weight * from.pixel(k, y)[c];
-  });
+  // Row by row, as the picture lies in memory: it may be hundreds of megabytes, and many lights may
+  // show it.
+  for (int y = 0; y < from.height; ++y)
+    gather(from.width, columns, [&](int i, int k, float weight) {
+      const Vec3f value = sane_pixel(from, k, y);
+      float* const to = wide.pixel(i, y);
+      to[0] += weight * value.x;
+      to[1] += weight * value.y;
+      to[2] += weight * value.z;
+    });
   gather(from.height, rows, [&](int i, int k, float weight) {
     for (int x = 0; x < columns; ++x)
       for (int c = 0; c < 3; ++c)
@@ -135,11 +146,11 @@ image::Image sane_rgb(const image::Image& from) {
   image::Image result(from.width, from.height, 3);
   for (int y = 0; y < from.height; ++y)
     for (int x = 0; x < from.width; ++x) {
-      const Vec3f value = from.rgb(x, y);
+      const Vec3f value = sane_pixel(from, x, y);
       float* to = result.pixel(x, y);
-      to[0] = sane(value.x);
-      to[1] = sane(value.y);
-      to[2] = sane(value.z);
+      to[0] = value.x;
+      to[1] = value.y;
+      to[2] = value.z;
     }
   return result;
 }
@@ -242,7 +253,6 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
                             const EmissionStackOptions& options) {
   const Vec2d size = box.upper - box.lower;
   if (!(size.x > 0) || !(size.y > 0)) return wrong_light(light.name, "its outline has no extent");
-  image::Image picture = sane_rgb(source);
   EmissionStack stack;
   EmissionTextureView& view = stack.view;
   const Vec3d texture_u = to_double(light.texture_u), texture_v = to_double(light.texture_v);
@@ -264,8 +274,8 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
 
   // As many texels as the picture has pixels across the light, but no more than allowed.
   const auto pixels_along = [&](Vec3d axis, double extent) {
-    return extent * std::max(std::abs(dot(axis, u_gradient)) * picture.width,
-                             std::abs(dot(axis, v_gradient)) * picture.height);
+    return extent * std::max(std::abs(dot(axis, u_gradient)) * source.width,
+                             std::abs(dot(axis, v_gradient)) * source.height);
   };
   const double wanted_columns = pixels_along(frame.u, size.x);
   const double wanted_rows = pixels_along(frame.v, size.y);
@@ -276,11 +286,14 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
               {}};
   // A picture too fine for that is reduced by the same factor first.
   const double excess_u = wanted_columns / level.columns, excess_v = wanted_rows / level.rows;
+  image::Image picture;
   if (excess_u > 1 || excess_v > 1) {
     const auto fewer = [](int pixels, double excess) {
       return std::clamp(int(std::ceil(pixels / std::max(excess, 1.0))), 1, pixels);
     };
-    picture = reduced(picture, fewer(picture.width, excess_u), fewer(picture.height, excess_v));
+    picture = reduced(source, fewer(source.width, excess_u), fewer(source.height, excess_v));
+  } else {
+    picture = sane_rgb(source);
   }
 
   const std::vector<float> cover = coverage(outline, box, level.columns, level.rows);

@@ -3,6 +3,8 @@
 
 #include "openltc/light/emitter.h"
 
+#include "openltc/base/quote.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,7 +19,7 @@ bool is_non_negative(Vec3f v) { return v.x >= 0 && v.y >= 0 && v.z >= 0; }
 bool is_unit(Vec3f v) { return std::abs(length(to_double(v)) - 1) < 1e-3; }
 
 Error wrong_light(const std::string& name, const char* what) {
-  return Error{fmt::format("light \"{}\": {}", name, what)};
+  return Error{fmt::format("light \"{}\": {}", quote(name), what)};
 }
 
 double exitance_per_radiance(const Emitter& light) {

@@ -4,6 +4,7 @@
 #include "openltc/render/ray_scene.h"
 
 #include "openltc/base/address_space.h"
+#include "openltc/base/quote.h"
 #include "openltc/render/embree.h"
 #include "openltc/render/surface_point.h"
 
@@ -124,7 +125,7 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
                                             3 * sizeof(std::uint32_t), mesh.triangles.size());
     if (!mesh.triangles.empty() && (!vertices || !indices)) {
       rtcReleaseGeometry(geometry);
-      return Error{fmt::format("mesh \"{}\": not enough memory for {} triangles", mesh.name,
+      return Error{fmt::format("mesh \"{}\": not enough memory for {} triangles", quote(mesh.name),
                                mesh.triangles.size())};
     }
     if (!mesh.triangles.empty()) {

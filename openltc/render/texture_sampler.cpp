@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
 
 namespace openltc::render {
 
@@ -25,7 +28,11 @@ int wrap(int i, int size, scene::Wrap mode) {
   return ((i % size) + size) % size;
 }
 
-Vec4f load4(const float* p) { return {p[0], p[1], p[2], p[3]}; }
+Vec4f texel(const image::Texels& image, int x, int y) { return image.rgba(x, y); }
+Vec4f texel(const image::Image& image, int x, int y) {
+  const float* p = image.pixel(x, y);
+  return {p[0], p[1], p[2], p[3]};
+}
 
 Vec4f mix(Vec4f a, Vec4f b, float t) {
   return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,
@@ -33,31 +40,39 @@ Vec4f mix(Vec4f a, Vec4f b, float t) {
 }
 
 // Box filter of 2 x 2 texels; the last row or column of an odd size is used twice.
-image::Image half(const image::Image& in) {
+template <class Level> image::Image half(const Level& in) {
   image::Image out(std::max(in.width / 2, 1), std::max(in.height / 2, 1), 4);
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
       const int x0 = std::min(2 * x, in.width - 1), x1 = std::min(2 * x + 1, in.width - 1);
       const int y0 = std::min(2 * y, in.height - 1), y1 = std::min(2 * y + 1, in.height - 1);
-      for (int c = 0; c < 4; ++c)
-        out.pixel(x, y)[c] = 0.25f * (in.pixel(x0, y0)[c] + in.pixel(x1, y0)[c] +
-                                      in.pixel(x0, y1)[c] + in.pixel(x1, y1)[c]);
+      const Vec4f a = texel(in, x0, y0), b = texel(in, x1, y0), c = texel(in, x0, y1),
+                  d = texel(in, x1, y1);
+      float* const to = out.pixel(x, y);
+      to[0] = 0.25f * (a.x + b.x + c.x + d.x);
+      to[1] = 0.25f * (a.y + b.y + c.y + d.y);
+      to[2] = 0.25f * (a.z + b.z + c.z + d.z);
+      to[3] = 0.25f * (a.w + b.w + c.w + d.w);
     }
   return out;
 }
 
-} // namespace
-
-MipTexture::MipTexture(const scene::Texture& texture) : texture_(&texture) {
-  const image::Image* level = &texture.image;
-  smaller_.reserve(32); // pointers into it must stay
-  while (level->width > 1 || level->height > 1) {
-    smaller_.push_back(half(*level));
-    level = &smaller_.back();
-  }
+MipLevels smaller_of(const image::Texels& image) {
+  MipLevels levels;
+  if (image.width > 1 || image.height > 1) levels.push_back(half(image));
+  while (!levels.empty() && (levels.back().width > 1 || levels.back().height > 1))
+    levels.push_back(half(levels.back()));
+  return levels;
 }
 
-Vec4f MipTexture::bilinear(const image::Image& image, Vec2f uv) const {
+} // namespace
+
+MipTexture::MipTexture(const scene::Texture& texture, std::shared_ptr<const MipLevels> smaller)
+    : texture_(&texture), smaller_(std::move(smaller)) {
+  if (!smaller_) smaller_ = std::make_shared<const MipLevels>(smaller_of(texture.image));
+}
+
+template <class Level> Vec4f MipTexture::bilinear(const Level& image, Vec2f uv) const {
   // Coordinates are wrapped into one period first, so that large ones keep their fraction.
   const float x = (uv.x - 2.0f * std::floor(0.5f * uv.x)) * float(image.width);
   const float y = (uv.y - 2.0f * std::floor(0.5f * uv.y)) * float(image.height);
@@ -67,36 +82,43 @@ Vec4f MipTexture::bilinear(const image::Image& image, Vec2f uv) const {
   };
   const float px = clamped(texture_->wrap_u, x, uv.x, image.width);
   const float py = clamped(texture_->wrap_v, y, uv.y, image.height);
-  const auto texel = [&](int i, int j) {
-    return load4(image.pixel(wrap(i, image.width, texture_->wrap_u),
-                             wrap(j, image.height, texture_->wrap_v)));
+  const auto at = [&](int i, int j) {
+    return texel(image, wrap(i, image.width, texture_->wrap_u),
+                 wrap(j, image.height, texture_->wrap_v));
   };
-  if (texture_->nearest) return texel(int(std::floor(px)), int(std::floor(py)));
+  if (texture_->nearest) return at(int(std::floor(px)), int(std::floor(py)));
   const float fx = std::floor(px - 0.5f), fy = std::floor(py - 0.5f);
   const int i = int(fx), j = int(fy);
   const float tx = px - 0.5f - fx, ty = py - 0.5f - fy;
-  return mix(mix(texel(i, j), texel(i + 1, j), tx), mix(texel(i, j + 1), texel(i + 1, j + 1), tx),
-             ty);
+  return mix(mix(at(i, j), at(i + 1, j), tx), mix(at(i, j + 1), at(i + 1, j + 1), tx), ty);
+}
+
+Vec4f MipTexture::look_up(int level, Vec2f uv) const {
+  return level == 0 ? bilinear(texture_->image, uv)
+                    : bilinear((*smaller_)[std::size_t(level - 1)], uv);
 }
 
 Vec4f MipTexture::sample(Vec2f uv, float width) const {
   if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) uv = {0, 0};
-  const image::Image& base = texture_->image;
+  const image::Texels& base = texture_->image;
+  const int levels = int(smaller_->size());
   const float texels = width * float(std::max(base.width, base.height));
-  if (!(texels > 1.0f) || smaller_.empty()) return bilinear(base, uv);
-  const float lod = std::min(std::log2(texels), float(smaller_.size()));
-  const int lower = std::min(int(lod), int(smaller_.size()));
-  const int upper = std::min(lower + 1, int(smaller_.size()));
-  const auto level = [&](int i) -> const image::Image& {
-    return i == 0 ? base : smaller_[std::size_t(i - 1)];
-  };
-  return mix(bilinear(level(lower), uv), bilinear(level(upper), uv), lod - float(lower));
+  if (!(texels > 1.0f) || levels == 0) return look_up(0, uv);
+  const float lod = std::min(std::log2(texels), float(levels));
+  const int lower = std::min(int(lod), levels);
+  const int upper = std::min(lower + 1, levels);
+  return mix(look_up(lower, uv), look_up(upper, uv), lod - float(lower));
 }
 
 TextureSet::TextureSet(const scene::Scene& scene) {
   textures_.reserve(scene.textures.size());
-  for (const scene::Texture& t : scene.textures)
-    textures_.emplace_back(t);
+  // Samplers of the same picture share its smaller copies.
+  std::map<std::pair<const void*, const void*>, std::shared_ptr<const MipLevels>> known;
+  for (const scene::Texture& t : scene.textures) {
+    std::shared_ptr<const MipLevels>& smaller = known[t.image.identity()];
+    textures_.emplace_back(t, smaller);
+    smaller = textures_.back().smaller();
+  }
 }
 
 Vec4f TextureSet::sample(const scene::TextureRef& ref, const Vec2f tex_coord[2],

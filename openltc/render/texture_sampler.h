@@ -7,23 +7,31 @@
 
 #include "openltc/scene/scene.h"
 
+#include <memory>
 #include <vector>
 
 namespace openltc::render {
 
-/// A texture and its smaller copies, each half as wide and high, down to one texel.
+/// The smaller copies of a picture, each half as wide and high, down to one texel.
+using MipLevels = std::vector<image::Image>;
+
+/// A texture and its smaller copies.
 class MipTexture {
 public:
-  explicit MipTexture(const scene::Texture& texture);
+  /// `smaller` are those of another texture of the same picture; without them they are made.
+  explicit MipTexture(const scene::Texture& texture, std::shared_ptr<const MipLevels> smaller = {});
 
   /// Trilinear look-up at uv with a footprint of `width` in units of uv (0 = sharpest).
   Vec4f sample(Vec2f uv, float width) const;
 
+  const std::shared_ptr<const MipLevels>& smaller() const { return smaller_; }
+
 private:
-  Vec4f bilinear(const image::Image& image, Vec2f uv) const;
+  template <class Level> Vec4f bilinear(const Level& level, Vec2f uv) const;
+  Vec4f look_up(int level, Vec2f uv) const;
 
   const scene::Texture* texture_;
-  std::vector<image::Image> smaller_;
+  std::shared_ptr<const MipLevels> smaller_;
 };
 
 /// All textures of a scene; the scene outlives it.

@@ -3,6 +3,8 @@
 
 #include "openltc/scene/area_light.h"
 
+#include "openltc/base/quote.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -77,7 +79,7 @@ AreaLights area_lights_of(const light::Lights& lights) {
     std::string reason = read(light, area);
     if (reason.empty()) reason = obstacle(light);
     if (!reason.empty()) {
-      result.refused.push_back(fmt::format("\"{}\": {}", light.name, reason));
+      result.refused.push_back(fmt::format("\"{}\": {}", quote(light.name), reason));
       return;
     }
     result.lights.push_back(area);
@@ -87,7 +89,7 @@ AreaLights area_lights_of(const light::Lights& lights) {
     result.lights.push_back(std::move(area));
   });
   for (const light::PunctualLight& light : lights.punctual)
-    result.refused.push_back(fmt::format("\"{}\": a light without extent", light.name));
+    result.refused.push_back(fmt::format("\"{}\": a light without extent", quote(light.name)));
   return result;
 }
 

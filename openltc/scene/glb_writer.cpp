@@ -8,7 +8,6 @@
 #include "openltc/base/atomic_file.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_ies_light.h"
-#include "openltc/scene/gltf_uri.h"
 
 #include <fmt/format.h>
 
@@ -17,9 +16,11 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace openltc::scene::gltf {
 
@@ -64,7 +65,12 @@ std::string_view mime_type_of(std::span<const std::uint8_t> bytes) {
   return "";
 }
 
-void embed_buffers(Json& root, Binary& binary, const std::string& base_dir) {
+// One text for all references to the same bytes.
+std::string key_of(const std::string& uri, const Folder& folder, const std::string& field) {
+  return is_data_uri(uri) ? field : canonical_path(resolve_uri(uri, folder, field));
+}
+
+void embed_buffers(Json& root, Binary& binary, const Folder& folder, MemoryShare& memory) {
   if (!root.contains("buffers")) return;
   Json& buffers = root["buffers"];
   std::vector<Place> places;
@@ -77,15 +83,30 @@ void embed_buffers(Json& root, Binary& binary, const std::string& base_dir) {
     binary = {};
     kept.push_back({{"byteLength", 0}});
   }
+  // Of each file as much as the buffer that asks for most of it.
+  const auto field_of = [](std::size_t i) { return fmt::format("buffers[{}].uri", i); };
+  std::map<std::string, std::size_t> lengths;
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (!buffers[i].contains("uri")) continue;
+    std::size_t& length =
+        lengths[key_of(buffers[i]["uri"].get<std::string>(), folder, field_of(i))];
+    length = std::max(length, buffers[i].value("byteLength", std::size_t(0)));
+  }
+  std::map<std::string, Place> embedded;
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     const Json& buffer = buffers[i];
     if (i == 0 && first_is_binary) {
       places.push_back({0, 0});
     } else if (buffer.contains("uri")) {
-      std::vector<std::uint8_t> bytes =
-          read_uri(buffer["uri"].get<std::string>(), base_dir, fmt::format("buffers[{}].uri", i));
-      bytes.resize(buffer.value("byteLength", std::size_t(0)));
-      places.push_back({0, append(binary, bytes)});
+      const std::string uri = buffer["uri"].get<std::string>();
+      const std::string key = key_of(uri, folder, field_of(i));
+      const auto [place, is_new] = embedded.try_emplace(key);
+      if (is_new) {
+        const std::vector<std::uint8_t> bytes =
+            read_uri(uri, folder, field_of(i), memory, lengths[key]);
+        place->second = {0, append(binary, bytes)};
+      }
+      places.push_back(place->second);
     } else { // without bytes, a placeholder of EXT_meshopt_compression
       places.push_back({kept.size(), 0});
       kept.push_back(buffer);
@@ -100,16 +121,26 @@ void embed_buffers(Json& root, Binary& binary, const std::string& base_dir) {
   buffers = std::move(kept);
 }
 
-void embed_images(Json& root, Binary& binary, const std::string& base_dir) {
+void embed_images(Json& root, Binary& binary, const Folder& folder, MemoryShare& memory) {
   if (!root.contains("images")) return;
+  std::map<std::string, std::pair<std::size_t, std::string>> embedded; // view and type by key
   for (std::size_t i = 0; i < root["images"].size(); ++i) {
     Json& image = root["images"][i];
     if (!image.contains("uri")) continue;
+    const std::string uri = image["uri"].get<std::string>();
     std::vector<std::uint8_t> bytes;
+    std::string key;
     try {
-      bytes = read_uri(image["uri"].get<std::string>(), base_dir, "");
+      key = key_of(uri, folder, fmt::format("images[{}]", i));
+      if (!embedded.contains(key)) bytes = read_uri(uri, folder, "", memory);
     } catch (const Failure&) {
-      continue; // nothing uses it, or import had failed
+      continue; // import warned if something uses it
+    }
+    if (const auto known = embedded.find(key); known != embedded.end()) {
+      image.erase("uri");
+      image["bufferView"] = known->second.first;
+      image["mimeType"] = known->second.second;
+      continue;
     }
     const std::string mime_type(mime_type_of(bytes));
     if (mime_type.empty()) continue;
@@ -124,6 +155,7 @@ void embed_images(Json& root, Binary& binary, const std::string& base_dir) {
     image.erase("uri");
     image["mimeType"] = mime_type;
     image["bufferView"] = root["bufferViews"].size() - 1;
+    embedded[key] = {root["bufferViews"].size() - 1, mime_type};
   }
 }
 
@@ -140,7 +172,7 @@ bool has_uri(const Json& root, const char* array) {
 }
 
 // A file that is not there, or of another format than the extension's, keeps its reference.
-void embed_profiles(Json& root, Binary& binary, const std::string& base_dir) {
+void embed_profiles(Json& root, Binary& binary, const Folder& folder, MemoryShare& memory) {
   const Json::json_pointer pointer(k_profiles);
   for (std::size_t i = 0; i < root[pointer].size(); ++i) {
     if (!root[pointer][i].is_object() || !root[pointer][i].contains("uri") ||
@@ -148,7 +180,7 @@ void embed_profiles(Json& root, Binary& binary, const std::string& base_dir) {
       continue;
     std::vector<std::uint8_t> bytes;
     try {
-      bytes = read_uri(root[pointer][i]["uri"].get<std::string>(), base_dir, "");
+      bytes = read_uri(root[pointer][i]["uri"].get<std::string>(), folder, "", memory);
     } catch (const Failure&) {
       continue;
     }
@@ -171,7 +203,8 @@ void put_u32(std::vector<std::uint8_t>& out, std::uint32_t value) {
 
 std::size_t add_view(Json& root, Binary& binary, std::span<const std::uint8_t> bytes) {
   if (!binary.exists) {
-    embed_buffers(root, binary, ""); // placeholders of EXT_meshopt_compression make room
+    MemoryShare none;
+    embed_buffers(root, binary, {}, none); // placeholders of EXT_meshopt_compression make room
     if (!root.contains("buffers")) root["buffers"] = Json::array({{{"byteLength", 0}}});
   }
   const std::size_t offset = append(binary, bytes);
@@ -181,14 +214,14 @@ std::size_t add_view(Json& root, Binary& binary, std::span<const std::uint8_t> b
   return root["bufferViews"].size() - 1;
 }
 
-void embed_references(Json& root, Binary& binary, const std::string& base_dir) {
+void embed_references(Json& root, Binary& binary, const Folder& folder, MemoryShare& memory) {
   const bool has_buffers = has_uri(root, k_buffers), has_images = has_uri(root, k_images);
   if (has_buffers || has_images) {
-    embed_buffers(root, binary, base_dir);
-    embed_images(root, binary, base_dir);
+    embed_buffers(root, binary, folder, memory);
+    embed_images(root, binary, folder, memory);
   }
   const bool has_profiles = has_uri(root, k_profiles);
-  if (has_profiles) embed_profiles(root, binary, base_dir);
+  if (has_profiles) embed_profiles(root, binary, folder, memory);
   if (!has_buffers && !has_images && !has_profiles) return;
   if (binary.exists)
     root["buffers"][0]["byteLength"] = binary.bytes.size();

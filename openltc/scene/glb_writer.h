@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/scene/gltf_uri.h"
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -28,9 +29,11 @@ std::size_t add_view(nlohmann::ordered_json& root, Binary& binary,
 
 /// Moves the buffers, pictures and photometric files of EXT_lights_ies that `root` refers to by URI
 /// into `binary`, which holds those of buffers[0] if it has none, and turns the references over.
-/// Pictures that are not there or of no known kind keep their URI. Throws Failure when a buffer
+/// Pictures that are not there or of no known kind keep their URI. A file that is
+/// named more than once goes in once. Counts the bytes in `memory`. Throws Failure when a buffer
 /// cannot be read.
-void embed_references(nlohmann::ordered_json& root, Binary& binary, const std::string& base_dir);
+void embed_references(nlohmann::ordered_json& root, Binary& binary, const Folder& folder,
+                      MemoryShare& memory);
 
 /// Writes both to `path`, whole or not at all. The error names `path`.
 Status write_glb(const std::string& path, const nlohmann::ordered_json& root, const Binary& binary);

@@ -6,22 +6,25 @@
 #include "openltc/scene/gltf_import.h"
 #include "openltc/scene/gltf_uri.h"
 
-#include <filesystem>
 #include <vector>
 
 namespace openltc::scene {
 
-Result<Scene> load_gltf(const std::string& path, const EmissiveOptions& emissive) {
+Result<Scene> load_gltf(const std::string& path, const EmissiveOptions& emissive,
+                        const ReadOptions& reading) {
   return gltf::guarded(path, [&] {
-    const std::vector<std::uint8_t> bytes = gltf::read_file(path, "");
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    return gltf::import_gltf(bytes, folder.empty() ? "." : folder.string(), emissive).scene;
+    MemoryShare memory;
+    const std::vector<std::uint8_t> bytes = gltf::read_scene_file(path, memory);
+    return gltf::import_gltf(bytes, gltf::folder_of(path, reading.allow_outside), emissive).scene;
   });
 }
 
 Result<Scene> load_gltf_memory(std::span<const std::uint8_t> bytes, const std::string& name,
-                               const std::string& base_dir, const EmissiveOptions& emissive) {
-  return gltf::guarded(name, [&] { return gltf::import_gltf(bytes, base_dir, emissive).scene; });
+                               const std::string& base_dir, const EmissiveOptions& emissive,
+                               const ReadOptions& reading) {
+  return gltf::guarded(name, [&] {
+    return gltf::import_gltf(bytes, {base_dir, reading.allow_outside}, emissive).scene;
+  });
 }
 
 } // namespace openltc::scene

@@ -105,6 +105,22 @@ void check_json_depth(std::string_view json, const std::string& field) {
   }
 }
 
+std::uint64_t memory_to_parse(std::string_view json) {
+  // The text three times over (ours, tinygltf's and what is handed over), and for every value a
+  // node of a tree or an element of an array, with its share of growth; each value but the first
+  // follows one of these characters.
+  constexpr std::uint64_t k_value = 100;
+  std::uint64_t values = 1;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '"') in_string = !in_string;
+    if (in_string && c == '\\') ++i;
+    if (!in_string && (c == ',' || c == '{' || c == '[')) ++values;
+  }
+  return 3 * std::uint64_t(json.size()) + k_value * values;
+}
+
 Container split_container(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) fail("", "the file is empty; give a .gltf or .glb file");
   const bool is_glb = bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;

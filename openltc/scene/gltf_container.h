@@ -23,6 +23,9 @@ struct Container {
 /// when a .glb is cut short, or when its JSON nests deeper than a parser may be trusted with.
 Container split_container(std::span<const std::uint8_t> bytes);
 
+/// About how many bytes it takes to parse `json`: its values are many times as large in memory.
+std::uint64_t memory_to_parse(std::string_view json);
+
 /// Throws Failure that names `field` when `json` nests deeper than that.
 void check_json_depth(std::string_view json, const std::string& field);
 

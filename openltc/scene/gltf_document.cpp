@@ -15,8 +15,12 @@
 #include "openltc/scene/gltf_document.h"
 
 #include "openltc/base/file_place.h"
+#include "openltc/base/quote.h"
+#include "openltc/image/file.h"
+#include "openltc/scene/gltf_broken_light.h"
 #include "openltc/scene/gltf_extensions.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_memory.h"
 #include "openltc/scene/gltf_meshopt.h"
 #include "openltc/scene/gltf_schema.h"
 #include "openltc/scene/gltf_uri.h"
@@ -29,7 +33,9 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace openltc::scene::gltf {
 
@@ -44,19 +50,25 @@ json parse_json(std::string_view text) {
     // "[json.exception.parse_error.101] parse error at line 3, column 5: ..."
     const std::string what = e.what();
     const std::size_t bracket = what.find("] ");
-    std::string reason = bracket == std::string::npos ? what : what.substr(bracket + 2);
-    for (char& c : reason)
-      if (c == '\n' || c == '\r') c = ' ';
-    if (reason.size() > 200) reason = reason.substr(0, 197) + "...";
+    const std::string reason =
+        quote(bracket == std::string::npos ? what : what.substr(bracket + 2), 200);
     fail("JSON", reason + "; the file is damaged, export it again");
   }
 }
 
+// Before the schema: what is wrong with an older file is its age, not that some member is no array.
 void check_version(const json& root) {
-  const auto& version = root["asset"]["version"].get_ref<const std::string&>();
-  if (version.rfind("2.", 0) != 0)
-    fail("asset.version",
-         fmt::format("\"{}\" is not supported; export as glTF 2.0", version.substr(0, 20)));
+  const json::json_pointer pointer("/asset/version");
+  if (root.is_object() && root.contains(pointer)) {
+    const json& version = root[pointer];
+    const std::string text = version.is_string() ? version.get<std::string>() : version.dump();
+    if (text.rfind("2.", 0) != 0)
+      fail("asset.version",
+           fmt::format("\"{}\" is not supported; export as glTF 2.0{}", quote(text, 20),
+                       text.rfind("1.", 0) == 0 || text == "1" ? ", this is a glTF 1.0 file" : ""));
+  } else if (root.is_object() && root.contains("scenes") && root["scenes"].is_object()) {
+    fail("scenes", "is an object, as in glTF 1.0, which is not supported; export as glTF 2.0");
+  }
 }
 
 // A member that is an array, or an empty one.
@@ -77,19 +89,54 @@ const json* extension_of(const json& object, const char* name) {
   return found == extensions->end() ? nullptr : &*found;
 }
 
+// The bytes behind the buffers' URIs, each file read once and as far as any of them asks.
+class BufferFiles {
+public:
+  BufferFiles(const json& buffers, Document& document) : document_(document) {
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+      if (!buffers[i].contains("uri")) continue;
+      std::size_t& length = lengths_[key_of(uri_of(buffers[i]), field_of(i))];
+      length = std::max(length, count_of(buffers[i], "byteLength"));
+    }
+  }
+
+  std::span<const std::uint8_t> bytes(const json& buffer, std::size_t index) {
+    const std::string key = key_of(uri_of(buffer), field_of(index));
+    const auto [known, is_new] = known_.try_emplace(key);
+    if (is_new) {
+      document_.storage.push_back(read_uri(uri_of(buffer), document_.base_dir, field_of(index),
+                                           document_.memory, lengths_[key]));
+      known->second = document_.storage.back();
+    }
+    return known->second;
+  }
+
+private:
+  static const std::string& uri_of(const json& buffer) {
+    return buffer["uri"].get_ref<const std::string&>();
+  }
+  static std::string field_of(std::size_t index) { return fmt::format("buffers[{}].uri", index); }
+  std::string key_of(const std::string& uri, const std::string& field) const {
+    return is_data_uri(uri) ? field : canonical_path(resolve_uri(uri, document_.base_dir, field));
+  }
+
+  Document& document_;
+  std::map<std::string, std::size_t> lengths_;
+  std::map<std::string, std::span<const std::uint8_t>> known_;
+};
+
 // Bytes of each buffer; empty for the placeholders of EXT_meshopt_compression.
 std::vector<std::span<const std::uint8_t>>
 load_buffers(const json& root, const Container& container, Document& document) {
   std::vector<std::span<const std::uint8_t>> buffers;
+  BufferFiles files(array_of(root, "buffers"), document);
   for (const json& buffer : array_of(root, "buffers")) {
     const std::size_t index = buffers.size();
     const std::string field = fmt::format("buffers[{}]", index);
     const std::size_t length = count_of(buffer, "byteLength");
     std::span<const std::uint8_t> bytes;
     if (buffer.contains("uri")) {
-      document.storage.push_back(
-          read_uri(buffer["uri"].get_ref<const std::string&>(), document.base_dir, field + ".uri"));
-      bytes = document.storage.back();
+      bytes = files.bytes(buffer, index);
     } else if (index == 0 && container.has_binary) {
       bytes = container.binary;
     } else if (extension_of(buffer, "EXT_meshopt_compression")) {
@@ -130,7 +177,7 @@ View decode_meshopt_view(const json& extension,
   stream.stride = count_of(extension, "byteStride");
   stream.mode = extension["mode"].get<std::string>();
   stream.filter = extension.value("filter", std::string("NONE"));
-  document.storage.push_back(decode_meshopt(stream, field));
+  document.storage.push_back(decode_meshopt(stream, field, document.memory));
   return {document.storage.back(), stream.stride};
 }
 
@@ -162,6 +209,34 @@ void list_images(const json& root, Document& document) {
     document.images.push_back(
         {image.value("name", std::string()), image.value("uri", std::string()),
          image.value("mimeType", std::string()), image.value("bufferView", -1)});
+}
+
+// Of several forms of a texture's picture the first that can be read: an extension's goes before
+// the plain one, which is there for those who cannot.
+void list_textures(const json& root, Document& document) {
+  for (const json& texture : array_of(root, "textures")) {
+    TextureSource source;
+    const json* const webp = extension_of(texture, "EXT_texture_webp");
+    if (webp && webp->contains("source") && image::can_read_webp())
+      source.images.push_back(webp->value("source", -1));
+    if (texture.contains("source")) source.images.push_back(texture.value("source", -1));
+    if (source.images.empty() && texture.contains("extensions"))
+      for (const auto& [name, extension] : texture["extensions"].items())
+        if (source.foreign.empty() && extension.is_object() && extension.contains("source"))
+          source.foreign = name;
+    document.texture_sources.push_back(std::move(source));
+  }
+}
+
+void list_strong_materials(const json& root, Document& document) {
+  for (const json& material : array_of(root, "materials")) {
+    const json* const strength = extension_of(material, "KHR_materials_emissive_strength");
+    bool emits = strength && strength->value("emissiveStrength", 1.0) > 0;
+    const json factor = material.value("emissiveFactor", json::array({0, 0, 0}));
+    emits = emits && std::any_of(factor.begin(), factor.end(),
+                                 [](const json& c) { return c.get<double>() > 0; });
+    document.strong_materials.push_back(emits);
+  }
 }
 
 void read_extras(const json& root, Document& document) {
@@ -219,13 +294,11 @@ void parse_with_tinygltf(const json& root, tinygltf::Model& model) {
   const bool ok = parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
                                              static_cast<unsigned int>(text.size()), "");
   if (ok) return;
-  for (char& c : error)
-    if (c == '\n') c = ' ';
-  fail("JSON", error + "; export the file again");
+  fail("JSON", quote(error, 200) + "; export the file again");
 }
 
 // What the file refers to is the user's, also what nothing here reads: no output may replace it.
-void note_references(const json& root, const std::string& base_dir) {
+void note_references(const json& root, const Folder& folder) {
   std::vector<const json*> left = {&root};
   while (!left.empty()) {
     const json& object = *left.back();
@@ -237,7 +310,7 @@ void note_references(const json& root, const std::string& base_dir) {
       const std::string& uri = value.get_ref<const std::string&>();
       if (uri.rfind("data:", 0) == 0) continue;
       try {
-        note_input(resolve_uri(uri, base_dir, ""));
+        note_input(resolve_uri(uri, folder, ""));
       } catch (const Failure&) { // whoever needs it says so
       }
     }
@@ -248,18 +321,21 @@ void note_references(const json& root, const std::string& base_dir) {
 
 std::string node_label(std::size_t index, const std::string& name) {
   return name.empty() ? fmt::format("nodes[{}]", index)
-                      : fmt::format("nodes[{}] \"{}\"", index, name.substr(0, 60));
+                      : fmt::format("nodes[{}] \"{}\"", index, quote(name));
 }
 
 Document::Document() : model(std::make_unique<tinygltf::Model>()) {}
 Document::~Document() = default;
 
-void read_document(const Container& container, const std::string& base_dir, Document& document) {
+void read_document(const Container& container, const Folder& folder, Document& document) {
+  MemoryShare parsing;
+  take_memory(parsing, memory_to_parse(container.json), "JSON");
   json root = parse_json(container.json);
-  check_schema(root);
   check_version(root);
-  document.base_dir = base_dir;
-  note_references(root, base_dir);
+  document.lost_lights = drop_broken_lights(root, document.warnings);
+  check_schema(root);
+  document.base_dir = folder;
+  note_references(root, {folder.path, true}); // whether they may be read or not
   document.skin_count = array_of(root, "skins").size();
   document.animation_count = array_of(root, "animations").size();
 
@@ -268,6 +344,8 @@ void read_document(const Container& container, const std::string& base_dir, Docu
   const auto buffers = load_buffers(root, container, document);
   load_views(root, buffers, document);
   list_images(root, document);
+  list_textures(root, document);
+  list_strong_materials(root, document);
   read_extras(root, document);
   document.ies_lights = list_ies_lights(root, document.warnings);
   reduce_for_tinygltf(root);

@@ -5,15 +5,19 @@
 
 #pragma once
 
+#include "openltc/base/memory_budget.h"
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_extras.h"
 #include "openltc/scene/gltf_ies_light.h"
+#include "openltc/scene/gltf_uri.h"
 #include "openltc/scene/warnings.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +45,12 @@ struct ImageSource {
   int view = -1;
 };
 
+/// Where the picture of a texture is.
+struct TextureSource {
+  std::vector<int> images; ///< the first that can be read counts
+  std::string foreign;     ///< when there is none: the extension that has the picture
+};
+
 /// A checked document. All indices between its parts are in range; accessors are checked when they
 /// are read.
 struct Document {
@@ -50,22 +60,29 @@ struct Document {
   Document& operator=(const Document&) = delete;
 
   std::unique_ptr<tinygltf::Model> model; ///< without buffers, images, skins and animations
-  std::string base_dir;
-  std::vector<View> views; ///< as many as model->bufferViews
+  Folder base_dir;                        ///< where references are looked up
+  std::vector<View> views;                ///< as many as model->bufferViews
   std::vector<ImageSource> images;
-  std::vector<NodeExtras> extras;            ///< of each node
-  std::map<std::string, int> light_textures; ///< by reference: index into Lights::textures
-  IesLights ies_lights; ///< of EXT_lights_ies
+  std::vector<TextureSource> texture_sources; ///< as many as model->textures
+  std::set<int> lost_lights;                  ///< nodes whose light cannot be used
+  std::vector<bool> strong_materials; ///< those with KHR_materials_emissive_strength that emit
+  std::vector<NodeExtras> extras;     ///< of each node
+  std::map<std::string, int> light_textures; ///< by canonical path: index into Lights::textures
+  std::map<std::string, std::string> lost_light_textures; ///< and why others cannot be read
+  IesLights ies_lights;                                   ///< of EXT_lights_ies
   ProfileFiles profiles;
   std::size_t skin_count = 0;
   std::size_t animation_count = 0;
   Warnings warnings;
 
-  std::vector<std::vector<std::uint8_t>> storage; ///< what the views point into
+  std::deque<std::vector<std::uint8_t>> storage; ///< what the views point into
+  MemoryShare memory;                            ///< what it takes while it is read
+  /// What the scene keeps: meshes, textures, lights' pictures.
+  std::shared_ptr<MemoryShare> scene_memory = std::make_shared<MemoryShare>();
 };
 
 /// Parses, checks and loads everything but the pictures. `container` must outlive `document`.
 /// Throws Failure.
-void read_document(const Container& container, const std::string& base_dir, Document& document);
+void read_document(const Container& container, const Folder& folder, Document& document);
 
 } // namespace openltc::scene::gltf

@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -231,21 +230,22 @@ private:
 } // namespace
 
 Result<ExportReport> export_area_lights(const std::string& input, const std::string& output,
-                                        const EmissiveOptions& emissive) {
+                                        const EmissiveOptions& emissive,
+                                        const ReadOptions& reading) {
+  MemoryShare memory;
   Json root;
   gltf::Binary binary;
   const Result<ExportReport> report = gltf::guarded(input, [&] {
-    const std::vector<std::uint8_t> bytes = gltf::read_file(input, "");
-    const std::filesystem::path folder = std::filesystem::path(input).parent_path();
-    const std::string base_dir = folder.empty() ? "." : folder.string();
-    const gltf::Imported imported = gltf::import_gltf(bytes, base_dir, emissive);
+    const std::vector<std::uint8_t> bytes = gltf::read_scene_file(input, memory);
+    const gltf::Folder folder = gltf::folder_of(input, reading.allow_outside);
+    const gltf::Imported imported = gltf::import_gltf(bytes, folder, emissive);
     const gltf::Container container = gltf::split_container(bytes);
     root = Json::parse(container.json.begin(), container.json.end());
     binary.bytes.assign(container.binary.begin(), container.binary.end());
     binary.exists = container.has_binary;
     Exporter exporter(root, imported);
     ExportReport made = exporter.run();
-    gltf::embed_references(root, binary, base_dir);
+    gltf::embed_references(root, binary, folder, memory);
     for (const auto& [index, text] : exporter.profiles()) {
       const std::vector<std::uint8_t> file(text.begin(), text.end());
       const std::size_t view = gltf::add_view(root, binary, file);

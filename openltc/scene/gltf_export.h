@@ -8,6 +8,7 @@
 
 #include "openltc/base/result.h"
 #include "openltc/scene/emissive.h"
+#include "openltc/scene/read_options.h"
 
 #include <cstddef>
 #include <string>
@@ -33,6 +34,7 @@ struct ExportReport {
 /// only when all lights of the node can be written. A light of two sides becomes two lights.
 /// An Error names the file and the field; nothing is written then.
 Result<ExportReport> export_area_lights(const std::string& input, const std::string& output,
-                                        const EmissiveOptions& emissive = {});
+                                        const EmissiveOptions& emissive = {},
+                                        const ReadOptions& reading = {});
 
 } // namespace openltc::scene

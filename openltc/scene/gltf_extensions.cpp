@@ -3,6 +3,8 @@
 
 #include "openltc/scene/gltf_extensions.h"
 
+#include "openltc/base/quote.h"
+#include "openltc/image/file.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_meshopt.h"
@@ -37,6 +39,9 @@ struct Meaning {
   std::string_view without;
 };
 
+constexpr std::string_view k_without_textures =
+    "the plain PNG or JPEG is used where the file has one, other such textures are left out";
+
 constexpr std::array<Meaning, 20> k_unsupported = {{
     {"KHR_materials_clearcoat", "the clear coat is left out"},
     {"KHR_materials_transmission", "such surfaces are opaque"},
@@ -50,16 +55,21 @@ constexpr std::array<Meaning, 20> k_unsupported = {{
     {"KHR_materials_pbrSpecularGlossiness",
      "such materials use their metallic-roughness values or plain white"},
     {"KHR_materials_variants", "the file's first variant is shown"},
-    {"KHR_texture_basisu", "the plain PNG or JPEG is used where the file has one"},
-    {"EXT_texture_webp", "the plain PNG or JPEG is used where the file has one"},
-    {"EXT_texture_avif", "the plain PNG or JPEG is used where the file has one"},
-    {"MSFT_texture_dds", "the plain PNG or JPEG is used where the file has one"},
+    {"KHR_texture_basisu", k_without_textures},
+    {"EXT_texture_webp", k_without_textures},
+    {"EXT_texture_avif", k_without_textures},
+    {"MSFT_texture_dds", k_without_textures},
     {"EXT_mesh_gpu_instancing", "only one copy of an instanced mesh is shown"},
     {"EXT_lights_image_based", "the environment's light is left out"},
     {"MSFT_lod", "the first level of detail is shown"},
     {"KHR_animation_pointer", "nothing moves; the rest pose is shown"},
     {"KHR_node_visibility", "hidden objects are shown"},
 }};
+
+// What concerns textures alone leaves shapes and lights as they are.
+bool is_about_textures(const std::string& name) {
+  return name.find("_texture_") != std::string::npos;
+}
 
 bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -70,25 +80,30 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 void check_extensions(const std::vector<std::string>& used,
                       const std::vector<std::string>& required, Document& document) {
   const auto is_supported = [](const std::string& name) {
-    return std::find(k_supported.begin(), k_supported.end(), name) != k_supported.end();
+    return std::find(k_supported.begin(), k_supported.end(), name) != k_supported.end() ||
+           (name == "EXT_texture_webp" && image::can_read_webp());
   };
   for (std::size_t i = 0; i < required.size(); ++i) {
     const std::string field = fmt::format("extensionsRequired[{}]", i);
-    if (!is_supported(required[i]))
-      fail(field, fmt::format("{} is not supported; export the file without it",
-                              required[i].substr(0, 60)));
+    if (!is_supported(required[i]) && !is_about_textures(required[i]))
+      fail(field,
+           fmt::format("{} is not supported; export the file without it", quote(required[i])));
     if (required[i] == "EXT_meshopt_compression" && !has_meshopt_decoder())
       fail(field,
            "EXT_meshopt_compression is not supported by this build; install meshoptimizer and "
            "build again, or export the file without it");
   }
-  for (const std::string& name : used) {
-    if (is_supported(name) || contains(required, name)) continue;
+  std::vector<std::string> names = used;
+  for (const std::string& name : required)
+    if (!contains(used, name)) names.push_back(name);
+  for (const std::string& name : names) {
+    if (is_supported(name)) continue;
     const auto known = std::find_if(k_unsupported.begin(), k_unsupported.end(),
                                     [&](const Meaning& m) { return m.extension == name; });
-    document.warnings.add(
-        fmt::format("{} is not supported yet: {}", name.substr(0, 60),
-                    known == k_unsupported.end() ? "what it adds is left out" : known->without));
+    document.warnings.add(fmt::format("{} is not supported yet: {}", quote(name),
+                                      known != k_unsupported.end() ? known->without
+                                      : is_about_textures(name)    ? k_without_textures
+                                                                   : "what it adds is left out"));
   }
 }
 

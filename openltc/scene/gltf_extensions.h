@@ -12,8 +12,8 @@ namespace openltc::scene::gltf {
 
 struct Document;
 
-/// Throws Failure for a required extension that is not supported; warns, once each, of optional
-/// ones that change the picture.
+/// Throws Failure for a required extension that is not supported, unless it only concerns textures;
+/// warns, once each, of those and of optional ones that change the picture.
 void check_extensions(const std::vector<std::string>& used,
                       const std::vector<std::string>& required, Document& document);
 

@@ -3,6 +3,7 @@
 
 #include "openltc/scene/gltf_extras.h"
 
+#include "openltc/base/quote.h"
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
@@ -46,7 +47,8 @@ json light_of(const json& extras, const std::string& node) {
         key == k_extras_surface_deviation)
       continue;
     const std::string name = key.substr(k_prefix.size());
-    if (light.contains(name)) fail(field, fmt::format("{} is given twice, also as {}", name, key));
+    if (light.contains(name))
+      fail(field, fmt::format("{} is given twice, also as {}", quote(name), quote(key)));
     light[name] = value;
   }
   return light;
@@ -72,6 +74,7 @@ NodeExtras read_node_extras(const json& extras, const std::string& node, Documen
     }
   };
   if (extras.contains(k_extras_light)) {
+    read.describes_light = true;
     guarded("the light is left out", [&] { read.light = light_of(extras, node); });
   } else {
     for (const auto& [key, value] : extras.items())
@@ -79,7 +82,7 @@ NodeExtras read_node_extras(const json& extras, const std::string& node, Documen
           key != k_extras_surface_deviation)
         document.warnings.add(fmt::format(
             "{}.extras.{}: there is no {} beside it, so that it means nothing; it is ignored", node,
-            key.substr(0, 60), k_extras_light));
+            quote(key), k_extras_light));
   }
   if (extras.contains(k_extras_emits_light))
     guarded("it is ignored", [&] {

@@ -24,6 +24,7 @@ struct NodeExtras {
   /// - the same object as a text, which is what a custom property holds;
   /// - "openltc_light": "sphere", "openltc_radius": 0.2, ..., one custom property for each.
   std::optional<nlohmann::json> light;
+  bool describes_light = false; ///< there is an openltc_light, readable or not
   /// openltc_emits_light, true or false: whether emissive surfaces of the node's mesh make lights.
   bool emits_light = true;
   /// openltc_surface_deviation in metres: how far the surface that stands for the node's

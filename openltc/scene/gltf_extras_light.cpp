@@ -13,6 +13,7 @@
 
 #include "openltc/scene/gltf_extras_light.h"
 
+#include "openltc/base/quote.h"
 #include "openltc/image/file.h"
 #include "openltc/light/curved.h"
 #include "openltc/light/emitter.h"
@@ -69,7 +70,7 @@ public:
     p_.refuse("type",
               fmt::format("\"{}\" is not one of: rect disk ellipse polygon sphere tube line "
                           "point spot directional",
-                          type.substr(0, 60)));
+                          quote(type)));
   }
 
 private:
@@ -297,14 +298,24 @@ private:
   }
 
   int load_texture(const std::string& uri) {
-    const auto known = document_.light_textures.find(uri);
-    if (known != document_.light_textures.end()) return known->second;
     const std::string field = p_.field() + ".texture";
-    Result<image::Image> image = image::read(resolve_uri(uri, document_.base_dir, field));
-    if (!image) fail(field, image.error().message);
+    const std::string path = resolve_uri(uri, document_.base_dir, field);
+    const std::string key = canonical_path(path); // of all spellings
+    const auto known = document_.light_textures.find(key);
+    if (known != document_.light_textures.end()) return known->second;
+    const auto lost = document_.lost_light_textures.find(key);
+    if (lost != document_.lost_light_textures.end()) fail(field, lost->second);
+    Result<image::Image> image = image::read(path);
+    Status status = image ? document_.scene_memory->take(image->data.size() * sizeof(float), path)
+                          : Status(image.error());
+    if (!status) {
+      const std::string reason = quote(status.error().message, 300);
+      document_.lost_light_textures[key] = reason;
+      fail(field, reason);
+    }
     const int index = int(lights_.textures.size());
     lights_.textures.push_back(std::move(*image));
-    document_.light_textures[uri] = index;
+    document_.light_textures[key] = index;
     return index;
   }
 

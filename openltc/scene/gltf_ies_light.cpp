@@ -107,7 +107,8 @@ std::shared_ptr<const light::IesProfile> profile_of(Document& document, int inde
   if (!is_embedded)
     return document.profiles.read(resolve_uri(source.uri, document.base_dir, field + ".uri"),
                                   field + ".uri", document.warnings);
-  const std::vector<std::uint8_t> bytes = read_uri(source.uri, document.base_dir, field + ".uri");
+  const std::vector<std::uint8_t> bytes =
+      read_uri(source.uri, document.base_dir, field + ".uri", document.memory);
   return document.profiles.parse(text_of_bytes(bytes), field, document.warnings);
 }
 

@@ -30,14 +30,20 @@ Bounds bounds_of(const std::vector<Mesh>& meshes) {
   return bounds;
 }
 
+// Whether a material says expressly how strongly it shines.
+bool is_strong(const Document& document, std::size_t material) {
+  return material < document.strong_materials.size() && document.strong_materials[material];
+}
+
 } // namespace
 
-Imported import_gltf(std::span<const std::uint8_t> bytes, const std::string& base_dir,
+Imported import_gltf(std::span<const std::uint8_t> bytes, const Folder& folder,
                      const EmissiveOptions& emissive) {
   Document document;
-  read_document(split_container(bytes), base_dir, document);
+  read_document(split_container(bytes), folder, document);
   Imported imported;
   Scene& scene = imported.scene;
+  scene.memory = document.scene_memory;
   read_materials(document, scene);
   read_nodes(document, imported);
   if (scene.materials.empty()) scene.materials.push_back({});
@@ -49,6 +55,9 @@ Imported import_gltf(std::span<const std::uint8_t> bytes, const std::string& bas
     document.warnings.add("animations are not played; the rest pose is shown");
   if (scene.meshes.empty())
     document.warnings.add("there is nothing to see: the file has no triangles");
+  for (const Mesh& mesh : scene.meshes)
+    scene.describes_lights = scene.describes_lights ||
+                             (mesh.emits_light && is_strong(document, std::size_t(mesh.material)));
   scene.bounds = bounds_of(scene.meshes);
   imported.mesh_lights = find_emissive_lights(scene, emissive, document.warnings);
   for (const light::Lights& lights : imported.mesh_lights)

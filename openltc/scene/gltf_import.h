@@ -5,9 +5,11 @@
 
 #pragma once
 
+#include "openltc/base/quote.h"
 #include "openltc/base/result.h"
 #include "openltc/scene/emissive.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_uri.h"
 #include "openltc/scene/scene.h"
 #include "openltc/scene/transform.h"
 
@@ -33,9 +35,9 @@ struct Imported {
   std::vector<light::Lights> mesh_lights; ///< of the emissive surfaces of each of scene.meshes
 };
 
-/// Reads the bytes of a .glb or .gltf. Relative references are looked up in `base_dir`. Throws
+/// Reads the bytes of a .glb or .gltf. Relative references are looked up in `folder`. Throws
 /// Failure.
-Imported import_gltf(std::span<const std::uint8_t> bytes, const std::string& base_dir,
+Imported import_gltf(std::span<const std::uint8_t> bytes, const Folder& folder,
                      const EmissiveOptions& emissive);
 
 /// Runs `load` and turns whatever it throws into an Error of one line that begins with `name`.
@@ -48,7 +50,7 @@ auto guarded(const std::string& name, const Load& load) -> Result<decltype(load(
   } catch (const std::bad_alloc&) {
     return Error{name + ": not enough memory to load it"};
   } catch (const std::exception& e) {
-    return Error{name + ": cannot be loaded: " + e.what()};
+    return Error{name + ": cannot be loaded: " + quote(e.what(), 200)};
   }
 }
 

@@ -6,10 +6,10 @@
 
 #include "openltc/scene/gltf_material.h"
 
-#include "openltc/image/file.h"
+#include "openltc/base/quote.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
-#include "openltc/scene/gltf_uri.h"
+#include "openltc/scene/gltf_picture.h"
 
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
@@ -21,6 +21,8 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace openltc::scene::gltf {
 
@@ -49,7 +51,8 @@ Wrap wrap_from(int gl) {
 
 class Reader {
 public:
-  Reader(Document& document, Scene& scene) : document_(document), scene_(scene) {}
+  Reader(Document& document, Scene& scene)
+      : document_(document), scene_(scene), pictures_(document, *scene.memory) {}
 
   void read() {
     for (std::size_t i = 0; i < document_.model->materials.size(); ++i) {
@@ -105,6 +108,12 @@ private:
     const bool emits = to.emission.x > 0 || to.emission.y > 0 || to.emission.z > 0;
     // A picture that is multiplied by black need not be read.
     if (emits) to.emission_texture = read_texture(from.emissiveTexture, ColorSpace::color);
+    // Most emission textures are black but for a few places; without it nobody knows where.
+    const bool is_lost = from.emissiveTexture.index >= 0 && to.emission_texture.texture < 0;
+    if (emits && is_lost) {
+      document_.warnings.add(field_ + ".emissiveTexture: without it, the material does not shine");
+      to.emission = Vec3f(0, 0, 0);
+    }
   }
 
   void read_specular(const tinygltf::Value& specular, Material& to) {
@@ -178,16 +187,26 @@ private:
                       field_, ref.tex_coord));
       return {};
     }
-    ref.texture = load_texture(index, space);
+    try {
+      ref.texture = load_texture(index, space);
+    } catch (const Failure& failure) {
+      document_.warnings.add(failure.message + "; the texture is left out");
+      return {};
+    }
     return ref;
   }
 
   int load_texture(int index, ColorSpace space) {
     const auto& model = *document_.model;
     const tinygltf::Texture& from = model.textures[std::size_t(index)];
-    if (from.source < 0)
-      fail(fmt::format("textures[{}].source", index),
-           "there is no PNG or JPEG; export the file with plain pictures");
+    const TextureSource& source = document_.texture_sources[std::size_t(index)];
+    if (source.images.empty())
+      fail(
+          fmt::format("textures[{}]", index),
+          source.foreign.empty()
+              ? "has no source"
+              : fmt::format("has its picture in {} only, which is not read; PNG, JPEG and WebP are",
+                            quote(source.foreign)));
     Texture to;
     if (from.sampler >= 0) {
       const tinygltf::Sampler& sampler = model.samplers[std::size_t(from.sampler)];
@@ -195,60 +214,36 @@ private:
       to.wrap_v = wrap_from(sampler.wrapT);
       to.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     }
-    const Key key{from.source, space, to.wrap_u, to.wrap_v, to.nearest};
+    const Key key{source.images, space, to.wrap_u, to.wrap_v, to.nearest};
     const auto found = loaded_.find(key);
     if (found != loaded_.end()) return found->second;
-    to.image = load_image(from.source, space);
+    to.image = load_picture(source, space);
     scene_.textures.push_back(std::move(to));
     const int result = int(scene_.textures.size()) - 1;
     loaded_[key] = result;
     return result;
   }
 
-  image::Image load_image(int index, ColorSpace space) {
-    // Another sampler of the same picture: copy instead of decoding again.
-    for (const auto& [key, texture] : loaded_)
-      if (std::get<0>(key) == index && std::get<1>(key) == space) {
-        const image::Image& known = scene_.textures[std::size_t(texture)].image;
-        count_pixels(known.pixel_count(), fmt::format("images[{}]", index));
-        return known;
+  // Another form of the picture stands in for one that cannot be read.
+  image::Texels load_picture(const TextureSource& source, ColorSpace space) {
+    const bool is_color = space == ColorSpace::color;
+    for (std::size_t i = 0; i + 1 < source.images.size(); ++i) {
+      try {
+        return pictures_.load(source.images[i], is_color);
+      } catch (const Failure& failure) {
+        document_.warnings.add(failure.message + "; the plain picture is used");
       }
-
-    const ImageSource& source = document_.images[std::size_t(index)];
-    const std::string field = fmt::format("images[{}]", index);
-    std::vector<std::uint8_t> file;
-    std::span<const std::uint8_t> bytes;
-    if (!source.uri.empty()) {
-      file = read_uri(source.uri, document_.base_dir, field + ".uri");
-      bytes = file;
-    } else if (source.view >= 0) {
-      bytes = document_.views[std::size_t(source.view)].bytes;
-    } else {
-      fail(field, "has neither uri nor bufferView; export the file again");
     }
-    Result<image::Image> decoded = image::decode(bytes, field, space == ColorSpace::color);
-    if (!decoded.ok()) throw Failure{decoded.error().message};
-    count_pixels(decoded->pixel_count(), field);
-    return std::move(*decoded);
+    return pictures_.load(source.images.back(), is_color);
   }
 
-  void count_pixels(std::size_t pixels, const std::string& field) {
-    total_pixels_ += pixels;
-    if (total_pixels_ > k_max_total_pixels)
-      fail(field, fmt::format("the textures have more than {} million pixels together; reduce them",
-                              k_max_total_pixels >> 20));
-  }
-
-  // 4 GiB as float RGBA.
-  static constexpr std::size_t k_max_total_pixels = std::size_t(1) << 28;
-
-  using Key = std::tuple<int, ColorSpace, Wrap, Wrap, bool>;
+  using Key = std::tuple<std::vector<int>, ColorSpace, Wrap, Wrap, bool>;
 
   Document& document_;
   Scene& scene_;
   std::string field_;
+  Pictures pictures_;
   std::map<Key, int> loaded_;
-  std::size_t total_pixels_ = 0;
 };
 
 } // namespace

@@ -13,7 +13,8 @@ namespace openltc::scene::gltf {
 struct Document;
 
 /// Fills scene.materials, one for each of the file, and scene.textures, each used texture once per
-/// colour space. Throws Failure, also for a missing or damaged picture that a material uses.
+/// colour space and sampler. A picture that cannot be read costs its texture and a warning. Throws
+/// Failure.
 void read_materials(Document& document, Scene& scene);
 
 /// Which texture coordinates and tangents `material` makes a mesh need.

@@ -7,6 +7,7 @@
 #include "openltc/scene/gltf_meshopt.h"
 
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_memory.h"
 
 #ifdef OPENLTC_HAVE_MESHOPTIMIZER
 #include <meshoptimizer.h>
@@ -20,9 +21,9 @@ namespace openltc::scene::gltf {
 
 namespace {
 
-// No codec packs better than one byte for 1024 (a block of 256 vertices of which nothing changes);
+// No codec makes more than 1024 bytes of one (256 vertices of which four bytes do not change);
 // what claims more is not a stream, and is not worth an allocation.
-constexpr std::size_t k_max_ratio = 2048;
+constexpr std::size_t k_max_ratio = 1024;
 
 void check(const MeshoptStream& stream, const std::string& field) {
   if (stream.mode == "ATTRIBUTES") {
@@ -40,18 +41,22 @@ void check(const MeshoptStream& stream, const std::string& field) {
       (stream.filter == "QUATERNION" && stream.stride == 8) || stream.filter == "EXPONENTIAL";
   if (!stride_fits_filter)
     fail(field + ".byteStride", fmt::format("does not fit the filter {}", stream.filter));
-  if (stream.count == 0 || stream.count / k_max_ratio > stream.bytes.size())
+  const std::uint64_t size = saturating_product(stream.count, stream.stride);
+  if (stream.count == 0 || size / k_max_ratio > stream.bytes.size())
     fail(field + ".count",
-         fmt::format("{} cannot come from {} compressed bytes; the file is damaged", stream.count,
-                     stream.bytes.size()));
+         fmt::format("{} elements of {} bytes cannot come from {} compressed bytes; the file is "
+                     "damaged",
+                     stream.count, stream.stride, stream.bytes.size()));
 }
 
 } // namespace
 
 bool has_meshopt_decoder() { return true; }
 
-std::vector<std::uint8_t> decode_meshopt(const MeshoptStream& stream, const std::string& field) {
+std::vector<std::uint8_t> decode_meshopt(const MeshoptStream& stream, const std::string& field,
+                                         MemoryShare& memory) {
   check(stream, field);
+  take_memory(memory, saturating_product(stream.count, stream.stride), field);
   std::vector<std::uint8_t> decoded(stream.count * stream.stride);
   const auto* bytes = stream.bytes.data();
   const std::size_t size = stream.bytes.size();
@@ -77,7 +82,8 @@ std::vector<std::uint8_t> decode_meshopt(const MeshoptStream& stream, const std:
 
 bool has_meshopt_decoder() { return false; }
 
-std::vector<std::uint8_t> decode_meshopt(const MeshoptStream&, const std::string& field) {
+std::vector<std::uint8_t> decode_meshopt(const MeshoptStream&, const std::string& field,
+                                         MemoryShare&) {
   fail(field, "this build has no meshoptimizer; install it and build again, or export the file "
               "without EXT_meshopt_compression");
 }

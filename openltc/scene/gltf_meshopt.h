@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include "openltc/base/memory_budget.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,8 +27,9 @@ struct MeshoptStream {
 /// Whether this build has the library.
 bool has_meshopt_decoder();
 
-/// count * stride bytes. Throws Failure that names `field` when the stream or its description is
-/// broken or the build has no decoder.
-std::vector<std::uint8_t> decode_meshopt(const MeshoptStream& stream, const std::string& field);
+/// count * stride bytes, which are counted in `memory` before they are taken. Throws Failure that
+/// names `field` when the stream or its description is broken or the build has no decoder.
+std::vector<std::uint8_t> decode_meshopt(const MeshoptStream& stream, const std::string& field,
+                                         MemoryShare& memory);
 
 } // namespace openltc::scene::gltf

@@ -10,6 +10,7 @@
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_light.h"
 #include "openltc/scene/gltf_material.h"
+#include "openltc/scene/gltf_memory.h"
 #include "openltc/scene/gltf_primitive.h"
 #include "openltc/scene/light_surface.h"
 #include "openltc/scene/normals.h"
@@ -118,6 +119,9 @@ public:
 
   void walk() {
     check_hierarchy();
+    if (!model_.scenes.empty())
+      scene_.describes_lights =
+          names_lights(model_.scenes[std::size_t(std::max(model_.defaultScene, 0))].extensions);
     struct Pending {
       int node;
       std::size_t depth;
@@ -196,6 +200,9 @@ private:
     const tinygltf::Node& node = model_.nodes[std::size_t(index)];
     const NodeExtras& extras = document_.extras[std::size_t(index)];
     const std::size_t first_mesh = scene_.meshes.size();
+    scene_.describes_lights = scene_.describes_lights || extras.describes_light ||
+                              names_lights(node.extensions) ||
+                              document_.lost_lights.contains(index);
     if (node.mesh >= 0) place_mesh(node, field, to_world);
     for (std::size_t i = first_mesh; i < scene_.meshes.size(); ++i) {
       scene_.meshes[i].node = index;
@@ -214,6 +221,13 @@ private:
     if (const IesNode* ies = document_.ies_lights.of_node(index))
       read_ies_light(document_, *ies, to_world, node.name, scene_.lights);
     if (extras.light) place_extras_light(index, *extras.light, to_world, first_mesh);
+  }
+
+  // KHR_lights_punctual, EXT_lights_image_based and so on, also one that is not known here.
+  static bool names_lights(const tinygltf::ExtensionMap& extensions) {
+    return std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
+      return extension.first.find("_lights_") != std::string::npos;
+    });
   }
 
   // The light that the node's extras describe. The node's mesh, if there is one, shows it: its own
@@ -315,16 +329,24 @@ private:
       first_without_area_ = fmt::format("meshes[{}].primitives[{}]", mesh_index, primitive);
   }
 
+  static std::string primitive_field(const std::pair<std::size_t, std::size_t>& key) {
+    return fmt::format("meshes[{}].primitives[{}]", key.first, key.second);
+  }
+
   // Read once, copied for every instance; kept only when there are several.
   Mesh local_mesh(std::size_t mesh_index, std::size_t primitive) {
     const auto key = std::make_pair(mesh_index, primitive);
     const auto found = local_meshes_.find(key);
-    if (found != local_meshes_.end()) return found->second;
+    if (found != local_meshes_.end()) {
+      take_memory(*document_.scene_memory, mesh_memory(found->second), primitive_field(key));
+      return found->second;
+    }
     int material = model_.meshes[mesh_index].primitives[primitive].material;
     if (material < 0) material = default_material();
     Mesh mesh = read_primitive(document_, mesh_index, primitive,
                                vertex_needs(scene_.materials[std::size_t(material)]));
     mesh.material = material;
+    take_memory(*document_.scene_memory, mesh_memory(mesh), primitive_field(key));
     if (uses_[mesh_index] < 2) return mesh;
     return local_meshes_.emplace(key, std::move(mesh)).first->second;
   }
@@ -351,6 +373,14 @@ private:
 };
 
 } // namespace
+
+std::uint64_t mesh_memory(const Mesh& mesh) {
+  constexpr std::uint64_t k_triangle_of_tree = 128;
+  return mesh.triangles.size() * (sizeof(mesh.triangles[0]) + k_triangle_of_tree) +
+         mesh.positions.size() * sizeof(Vec3f) + mesh.normals.size() * sizeof(Vec3f) +
+         mesh.tangents.size() * sizeof(Vec4f) + mesh.tex_coord_0.size() * sizeof(Vec2f) +
+         mesh.tex_coord_1.size() * sizeof(Vec2f) + mesh.colors.size() * sizeof(Vec4f);
+}
 
 void read_nodes(Document& document, Imported& imported) { Walker(document, imported).walk(); }
 

@@ -3,6 +3,7 @@
 
 #include "openltc/scene/gltf_properties.h"
 
+#include "openltc/base/quote.h"
 #include "openltc/scene/gltf_failure.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ bool is_usable(const json& value) {
 } // namespace
 
 void Properties::refuse(const std::string& name, const std::string& what) const {
-  fail(field_ + "." + name.substr(0, 60), what);
+  fail(field_ + "." + quote(name), what);
 }
 
 const json* Properties::find(const char* name) {
@@ -88,8 +89,7 @@ Vec3d Properties::color(const char* name) {
 std::string Properties::choice(const char* name, const std::vector<std::string>& words) {
   const std::string word = text(name, words[0]);
   if (std::find(words.begin(), words.end(), word) == words.end())
-    refuse(name,
-           fmt::format("\"{}\" is not one of: {}", word.substr(0, 60), fmt::join(words, " ")));
+    refuse(name, fmt::format("\"{}\" is not one of: {}", quote(word), fmt::join(words, " ")));
   return word;
 }
 

@@ -6,6 +6,7 @@
 
 #include "openltc/scene/gltf_schema.h"
 
+#include "openltc/base/quote.h"
 #include "openltc/scene/gltf_failure.h"
 
 #include <fmt/format.h>
@@ -210,7 +211,9 @@ const Type& type_named(std::string_view name) {
        {{"name", Kind::text},
         {"sampler", Kind::index, "/samplers"},
         {"source", Kind::index, "/images"},
-        {"extensions", Kind::object, "nothing"}}},
+        {"extensions", Kind::object, "texture_extensions"}}},
+      {"texture_extensions", {{"EXT_texture_webp", Kind::object, "texture_webp"}}},
+      {"texture_webp", {{"source", Kind::index, "/images"}}},
       {"image",
        {{"name", Kind::text},
         {"uri", Kind::text},
@@ -348,7 +351,8 @@ private:
     if (!value.is_number()) fail(path, "must be a number");
     // Everything is used in single precision sooner or later.
     if (!(std::abs(value.get<double>()) <= 1e37)) // false for NaN
-      fail(path, fmt::format("{} is beyond the range of numbers that can be used", value.dump()));
+      fail(path,
+           fmt::format("{} is beyond the range of numbers that can be used", quote(value.dump())));
     value = value.get<double>(); // tinygltf keeps whole numbers in 32 bits
   }
 
@@ -356,7 +360,7 @@ private:
     const double number = value.is_number() ? value.get<double>() : -1;
     if (!(number >= 0) || !(number <= limit) || number != std::floor(number))
       fail(path, fmt::format("{} is not a usable whole number; export the file again",
-                             value.is_number() ? value.dump() : "this"));
+                             value.is_number() ? quote(value.dump()) : "this"));
     if (value.is_number_float()) value = std::int64_t(number);
   }
 
@@ -378,7 +382,7 @@ private:
   void check_index_map(json& value, const std::string& path, const char* target) const {
     if (!value.is_object()) fail(path, "must be an object");
     for (auto& [key, index] : value.items())
-      check_index(index, path + "." + key, target);
+      check_index(index, path + "." + quote(key), target);
   }
 
   static void check_choice(std::string_view value, const std::string& path,
@@ -392,7 +396,7 @@ private:
     std::string listed(choices);
     for (char& c : listed)
       if (c == '|') c = ' ';
-    fail(path, fmt::format("\"{}\" is not one of: {}", value.substr(0, 60), listed));
+    fail(path, fmt::format("\"{}\" is not one of: {}", quote(value), listed));
   }
 
   json& root_;
@@ -401,5 +405,9 @@ private:
 } // namespace
 
 void check_schema(json& root) { Checker(root).check_object(root, "", "root"); }
+
+void check_member(json& root, json& value, const std::string& path, const char* type) {
+  Checker(root).check_object(value, path, type);
+}
 
 } // namespace openltc::scene::gltf

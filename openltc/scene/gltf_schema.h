@@ -6,6 +6,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 namespace openltc::scene::gltf {
 
@@ -14,5 +15,10 @@ namespace openltc::scene::gltf {
 ///
 /// Whole numbers written as 3.0 become integers, as what reads `root` later expects.
 void check_schema(nlohmann::json& root);
+
+/// The same for one object of the file, which messages call `path`; `type` is one of the schema's
+/// own names, e.g. "light_area". Indices are looked up in `root`.
+void check_member(nlohmann::json& root, nlohmann::json& value, const std::string& path,
+                  const char* type);
 
 } // namespace openltc::scene::gltf

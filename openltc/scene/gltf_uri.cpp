@@ -5,18 +5,23 @@
 
 #include "openltc/scene/gltf_uri.h"
 
-#include "openltc/base/regular_file.h"
+#include "openltc/base/quote.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_memory.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
-#include <utility>
+#include <system_error>
 
 namespace openltc::scene::gltf {
 
 namespace {
+
+constexpr std::size_t k_longest_path = 160; // in messages
 
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -71,56 +76,104 @@ bool has_scheme(std::string_view uri) {
   return colon != std::string_view::npos && uri.find('/') >= colon;
 }
 
-// Long references are cut in messages.
-std::string shown(const std::string& uri) {
-  return uri.size() <= 120 ? uri : uri.substr(0, 117) + "...";
+// Whether `path` lies in `folder`; both canonical.
+bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  const auto [at, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return at == folder.end() || (std::next(at) == folder.end() && at->empty());
 }
+
+constexpr std::uint64_t k_largest_scene = std::uint64_t(1)
+                                          << 32; // the length of a .glb has 32 bits
 
 } // namespace
 
-std::vector<std::uint8_t> read_file(const std::string& path, const std::string& field) {
+Folder folder_of(const std::string& path, bool allow_outside) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return {folder.empty() ? "." : folder.string(), allow_outside};
+}
+
+bool is_data_uri(const std::string& uri) { return uri.rfind("data:", 0) == 0; }
+
+std::string canonical_path(const std::string& path) {
+  std::error_code ec;
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ec);
+  return ec ? path : canonical.string();
+}
+
+std::vector<std::uint8_t> read_file(const std::string& path, const std::string& field,
+                                    MemoryShare& memory, std::uint64_t most) {
   std::error_code ec;
   if (path.find('\0') != std::string::npos || !std::filesystem::exists(path, ec))
     fail(field, field.empty() ? "the file does not exist; check the path"
                               : fmt::format("the file {} is missing; put it back or export again",
-                                            shown(path)));
-  if (!std::filesystem::is_regular_file(path, ec))
-    fail(field, fmt::format("{} is not a file", shown(path)));
-  Result<std::vector<std::uint8_t>> bytes = read_regular_file(path);
-  if (!bytes) fail(field, bytes.error().message);
-  return std::move(*bytes);
+                                            quote(path, k_longest_path)));
+  const Result<RegularFile> file = open_regular_file(path);
+  if (!file) fail(field, quote(file.error().message, k_longest_path));
+  const std::uint64_t size = std::min(file->size(), most);
+  take_memory(memory, size,
+              field.empty() ? "the file"
+                            : fmt::format("{}: {}", field, quote(path, k_longest_path)));
+  std::vector<std::uint8_t> bytes(size);
+  const Result<std::size_t> got = file->read_at(0, bytes);
+  if (!got) fail(field, quote(got.error().message, k_longest_path));
+  bytes.resize(*got);
+  return bytes;
 }
 
-std::string resolve_uri(const std::string& uri, const std::string& base_dir,
-                        const std::string& field) {
+std::vector<std::uint8_t> read_scene_file(const std::string& path, MemoryShare& memory) {
+  std::error_code ec;
+  const std::uintmax_t size = std::filesystem::file_size(path, ec);
+  if (!ec && size > k_largest_scene)
+    fail("", fmt::format("{} are more than a glTF file can have, 4 GiB; give a .gltf or .glb file",
+                         memory_size_text(size)));
+  return read_file(path, "", memory, k_largest_scene);
+}
+
+std::string resolve_uri(const std::string& uri, const Folder& folder, const std::string& field) {
   if (uri.empty()) fail(field, "the reference is empty; export the file again");
   if (has_scheme(uri))
     fail(field,
          fmt::format("{} is a network or absolute address, which is not loaded; put the file "
                      "beside the glTF file and refer to it by a relative path",
-                     shown(uri)));
-  const std::string path = decode_percent(uri);
-  if (path.front() == '/' || path.front() == '\\')
-    fail(field, fmt::format("{} is an absolute path, which is not loaded; put the file beside the "
-                            "glTF file and refer to it by a relative path",
-                            shown(uri)));
-  if (base_dir.empty())
+                     quote(uri, k_longest_path)));
+  std::string name = decode_percent(uri);
+  if (name.find('\0') != std::string::npos)
+    fail(field, fmt::format("{} holds a zero byte, which no path has", quote(uri, k_longest_path)));
+  if (folder.path.empty())
     fail(field, fmt::format("the file {} cannot be looked up when loading from memory without a "
                             "folder; embed it or give the folder",
-                            shown(uri)));
-  return (std::filesystem::path(base_dir) / path).string();
+                            quote(uri, k_longest_path)));
+  std::error_code ec;
+  const std::filesystem::path base(folder.path);
+  if (name.find('\\') != std::string::npos && !std::filesystem::exists(base / name, ec))
+    std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path path = base / name; // an absolute name stands for itself
+  if (folder.allow_outside) return path.string();
+
+  // Before a look at whether it exists, which a stranger need not learn either.
+  const std::filesystem::path canonical_base = std::filesystem::canonical(base, ec);
+  const bool is_base_known = !ec;
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ec);
+  if (!is_base_known || ec || !lies_in(canonical, canonical_base))
+    fail(field,
+         fmt::format("{} lies outside the scene's folder, where nothing is read; put it beside the "
+                     "scene, or say --allow-outside if you trust the file",
+                     quote(uri, k_longest_path)));
+  return path.string();
 }
 
-std::vector<std::uint8_t> read_uri(const std::string& uri, const std::string& base_dir,
-                                   const std::string& field) {
-  if (uri.rfind("data:", 0) == 0) {
-    const std::size_t comma = uri.find(',');
-    if (comma == std::string::npos) fail(field, "the data URI has no data; export the file again");
-    if (uri.substr(0, comma).find(";base64") == std::string::npos)
-      fail(field, "the data URI is not base64; export the file again");
-    return decode_base64(std::string_view(uri).substr(comma + 1), field);
-  }
-  return read_file(resolve_uri(uri, base_dir, field), field);
+std::vector<std::uint8_t> read_uri(const std::string& uri, const Folder& folder,
+                                   const std::string& field, MemoryShare& memory,
+                                   std::uint64_t most) {
+  if (!is_data_uri(uri)) return read_file(resolve_uri(uri, folder, field), field, memory, most);
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string::npos) fail(field, "the data URI has no data; export the file again");
+  if (uri.substr(0, comma).find(";base64") == std::string::npos)
+    fail(field, "the data URI is not base64; export the file again");
+  take_memory(memory, (uri.size() - comma) / 4 * 3 + 2, field);
+  std::vector<std::uint8_t> bytes = decode_base64(std::string_view(uri).substr(comma + 1), field);
+  if (bytes.size() > most) bytes.resize(most);
+  return bytes;
 }
 
 } // namespace openltc::scene::gltf

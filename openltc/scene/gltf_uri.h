@@ -5,24 +5,52 @@
 
 #pragma once
 
+#include "openltc/base/memory_budget.h"
+#include "openltc/base/regular_file.h"
+
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace openltc::scene::gltf {
 
-/// The path of a file that `uri` refers to, relative to `base_dir`. Throws Failure that names
-/// `field` when it is absolute or a network address, or when `base_dir` is empty.
-std::string resolve_uri(const std::string& uri, const std::string& base_dir,
-                        const std::string& field);
+/// Where a file's references are looked up.
+struct Folder {
+  std::string path;           ///< empty: there is none, and references to files are refused
+  bool allow_outside = false; ///< ReadOptions
 
-/// The bytes behind `uri`: a base64 data URI or a file relative to `base_dir`. Throws Failure that
-/// names `field` when it is absolute, a network address, missing, or broken, or when `base_dir` is
-/// empty and a file is asked for.
-std::vector<std::uint8_t> read_uri(const std::string& uri, const std::string& base_dir,
-                                   const std::string& field);
+  Folder() = default;
+  Folder(std::string path_, bool allow_outside_ = false)
+      : path(std::move(path_)), allow_outside(allow_outside_) {}
+};
 
-/// A whole file. Throws Failure that names `field` when it cannot be read.
-std::vector<std::uint8_t> read_file(const std::string& path, const std::string& field);
+/// The folder that the file at `path` lies in.
+Folder folder_of(const std::string& path, bool allow_outside);
+
+/// The path of a file that `uri` refers to, relative to `folder`. Backslashes, which Windows
+/// programs write, are slashes where no file has them in its name. Throws Failure that names
+/// `field` when it is a network address, leads out of the folder and may not, or when there is no
+/// folder. Whether the file exists is not asked.
+std::string resolve_uri(const std::string& uri, const Folder& folder, const std::string& field);
+
+/// One text for all spellings of a path, links followed.
+std::string canonical_path(const std::string& path);
+
+/// Whether `uri` holds the data itself.
+bool is_data_uri(const std::string& uri);
+
+/// The bytes behind `uri`, no more than the first `most`: a base64 data URI or a file as above.
+/// Counts them in `memory` before it reads them. Throws Failure that names `field` when it cannot.
+std::vector<std::uint8_t> read_uri(const std::string& uri, const Folder& folder,
+                                   const std::string& field, MemoryShare& memory,
+                                   std::uint64_t most = k_any_size);
+
+/// The first `most` bytes of a file; memory and errors as above.
+std::vector<std::uint8_t> read_file(const std::string& path, const std::string& field,
+                                    MemoryShare& memory, std::uint64_t most = k_any_size);
+
+/// A whole .gltf or .glb, which no format lets be larger than 4 GiB.
+std::vector<std::uint8_t> read_scene_file(const std::string& path, MemoryShare& memory);
 
 } // namespace openltc::scene::gltf

@@ -8,12 +8,14 @@
 
 #pragma once
 
-#include "openltc/image/image.h"
+#include "openltc/base/memory_budget.h"
+#include "openltc/image/texels.h"
 #include "openltc/light/light.h"
 #include "openltc/target/vec.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,10 +23,10 @@ namespace openltc::scene {
 
 enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
 
-/// An image with its sampler. Colour textures (base colour, emissive, specular colour) are stored
-/// decoded to linear; data textures (normal, roughness-metallic, specular factor) as they are.
+/// An image with its sampler. Colour textures (base colour, emissive, specular colour) are looked
+/// at as linear; data textures (normal, roughness-metallic, specular factor) as they are.
 struct Texture {
-  image::Image image; ///< 4 channels
+  image::Texels image;
   Wrap wrap_u = Wrap::repeat;
   Wrap wrap_v = Wrap::repeat;
   bool nearest = false; ///< magnification without interpolation
@@ -108,8 +110,14 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Camera> cameras;
   light::Lights lights;
-  Bounds bounds;                     ///< of all positions
+  Bounds bounds; ///< of all positions
+  /// Whether the file says expressly that there is light: a node that is shown carries one, also
+  /// one that cannot be read, or a material has KHR_materials_emissive_strength. Plain emissive
+  /// factors do not say it.
+  bool describes_lights = false;
   std::vector<std::string> warnings; ///< for the user, each one line
+  /// What of the memory budget the scene has; given back with its last copy.
+  std::shared_ptr<MemoryShare> memory = std::make_shared<MemoryShare>();
 };
 
 } // namespace openltc::scene

@@ -3,6 +3,8 @@
 
 #include "openltc/scene/warnings.h"
 
+#include "openltc/base/quote.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +20,7 @@ std::string line_of(const std::vector<std::string>& meshes, const std::string& w
   std::string line = meshes.size() == 1 ? "mesh " : "meshes ";
   const std::size_t listed = std::min(meshes.size(), k_listed_meshes);
   for (std::size_t i = 0; i < listed; ++i)
-    line += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", meshes[i]);
+    line += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", quote(meshes[i]));
   if (meshes.size() > listed) line += fmt::format(" and {} more", meshes.size() - listed);
   return line + ": " + what;
 }
@@ -26,9 +28,7 @@ std::string line_of(const std::vector<std::string>& meshes, const std::string& w
 } // namespace
 
 void Warnings::add(const std::string& text) {
-  std::string message = text; // names may hold anything, but a warning is one line
-  for (char& c : message)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  const std::string message = escaped(text); // names may hold anything, but a warning is one line
   for (const Entry& entry : entries_)
     if (entry.meshes.empty() && entry.what == message) return;
   entries_.push_back({message, {}});

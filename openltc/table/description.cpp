@@ -3,6 +3,8 @@
 
 #include "openltc/table/description.h"
 
+#include "openltc/base/quote.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -107,12 +109,12 @@ Status apply_description(const KeyValues& d, const std::string& name, PackedTabl
         fmt::format("{}: the description is not \"{}\" version {}", name, k_format, k_version)};
   const Layout* layout = find_layout(text_of(d, "layout"));
   if (!layout)
-    return Error{fmt::format("{}: unknown layout {}", name, json_quoted(text_of(d, "layout")))};
+    return Error{fmt::format("{}: unknown layout \"{}\"", name, quote(text_of(d, "layout")))};
   const std::string axis = text_of(d, "angle_axis"), width = text_of(d, "width");
   if (axis != name_of(AngleAxis::theta) && axis != name_of(AngleAxis::sqrt_one_minus_cos))
-    return Error{fmt::format("{}: unknown angle_axis {}", name, json_quoted(axis))};
+    return Error{fmt::format("{}: unknown angle_axis \"{}\"", name, quote(axis))};
   if (width != "alpha" && width != "one")
-    return Error{fmt::format("{}: unknown width {}", name, json_quoted(width))};
+    return Error{fmt::format("{}: unknown width \"{}\"", name, quote(width))};
   const std::string *columns = find_value(d, "columns"), *rows = find_value(d, "rows");
   if ((columns && number_of(columns) != packed.columns()) ||
       (rows && number_of(rows) != packed.rows()))

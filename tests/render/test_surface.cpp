@@ -263,17 +263,19 @@ TEST_CASE("orthographic camera, near and far planes") {
 TEST_CASE("textures: normal maps turn the normal, each set of coordinates has its own footprint") {
   scene::Scene scene;
   scene::Texture tilt; // tangent-space normal (0.6, 0, 0.8)
-  tilt.image = image::Image(2, 2, 4);
+  image::Image tilted(2, 2, 4);
   for (std::size_t i = 0; i < 4; ++i) {
     const float texel[4] = {0.8f, 0.5f, 0.9f, 1};
-    std::copy(texel, texel + 4, tilt.image.data.begin() + std::ptrdiff_t(4 * i));
+    std::copy(texel, texel + 4, tilted.data.begin() + std::ptrdiff_t(4 * i));
   }
+  tilt.image = tilted;
   scene::Texture checker; // black and white texels: grey when seen from afar
-  checker.image = image::Image(64, 64, 4);
+  image::Image squares(64, 64, 4);
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x)
       for (int c = 0; c < 4; ++c)
-        checker.image.pixel(x, y)[c] = float((x + y) % 2);
+        squares.pixel(x, y)[c] = float((x + y) % 2);
+  checker.image = squares;
   scene.textures = {tilt, checker};
   scene::Material m = test::diffuse_material({1, 1, 1});
   m.normal_texture.texture = 0;

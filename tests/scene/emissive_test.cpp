@@ -169,11 +169,12 @@ TEST_CASE("dark_and_unlit_materials_are_no_lights") {
 
 TEST_CASE("textured_emission_that_is_no_picture_is_averaged_over_the_surface") {
   scene::Texture texture;
-  texture.image = image::Image(64, 16, 4);
+  image::Image picture(64, 16, 4);
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x)
       for (int c = 0; c < 3; ++c)
-        texture.image.pixel(x, y)[c] = 1.0f;
+        picture.pixel(x, y)[c] = 1.0f;
+  texture.image = picture;
   scene::Mesh mesh;
   mesh.positions = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)};
   // Four times beside itself: one picture does not cover the light.

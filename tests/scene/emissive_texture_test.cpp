@@ -15,11 +15,12 @@ using namespace openltc;
 
 scene::Texture stripes(scene::Wrap wrap = scene::Wrap::repeat) {
   scene::Texture texture;
-  texture.image = image::Image(64, 32, 4);
+  image::Image picture(64, 32, 4);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x)
       for (int c = 0; c < 4; ++c)
-        texture.image.pixel(x, y)[c] = (x / 8) % 2 ? 1.0f : 0.25f;
+        picture.pixel(x, y)[c] = (x / 8) % 2 ? 1.0f : 0.25f;
+  texture.image = picture;
   texture.wrap_u = texture.wrap_v = wrap;
   return texture;
 }
@@ -155,7 +156,7 @@ TEST_CASE("lights_of_one_texture_share_one_picture") {
   REQUIRE(scene.lights.textures.size() == 1);
   CHECK(scene.lights.polygons[0].texture == 0);
   CHECK(scene.lights.polygons[1].texture == 0);
-  CHECK(scene.lights.textures[0].data == scene.textures[1].image.data);
+  CHECK(scene.lights.textures[0].data == scene.textures[1].image.to_image().data);
 }
 
 } // namespace

@@ -257,6 +257,12 @@ TEST_CASE("damaged_meshopt_data_is_refused_by_field") {
   CHECK(fails_naming(load_changed([](GltfBuilder&, json& e) { e["byteStride"] = 1024; }), field));
   CHECK(fails_naming(load_changed([](GltfBuilder&, json& e) { e["count"] = 2000000000; }), field));
   CHECK(fails_naming(load_changed([](GltfBuilder&, json& e) { e["count"] = 0; }), field));
+  // By the stream's size this many elements might be, but not elements as long as that.
+  CHECK(fails_naming(load_changed([](GltfBuilder&, json& e) {
+                       e["byteStride"] = 256;
+                       e["count"] = e["byteLength"].get<std::size_t>() * 1024;
+                     }),
+                     "cannot come from"));
   CHECK(fails_naming(load_changed([](GltfBuilder&, json& e) { e["mode"] = "TRIANGLES"; }), field));
   CHECK(
       fails_naming(load_changed([](GltfBuilder&, json& e) { e["filter"] = "QUATERNION"; }), field));

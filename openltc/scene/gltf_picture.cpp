@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/scene/gltf_picture.h"
+
+#include "openltc/base/quote.h"
+#include "openltc/image/file.h"
+#include "openltc/scene/gltf_document.h"
+#include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_memory.h"
+#include "openltc/scene/gltf_uri.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace openltc::scene::gltf {
+
+namespace {
+
+// As for any picture (image::read): 4 channels of 16 bits, uncompressed.
+constexpr std::uint64_t k_largest_file = image::k_max_pixels * 8;
+// Half as wide and high, and so on, 4 floats a pixel: a third of the picture's pixels.
+constexpr std::uint64_t k_smaller_copies = 4 * sizeof(float);
+
+} // namespace
+
+std::string Pictures::key_of(int index, const std::string& field) const {
+  const ImageSource& source = document_.images[std::size_t(index)];
+  if (is_data_uri(source.uri)) return field;
+  if (!source.uri.empty())
+    return "file " + canonical_path(resolve_uri(source.uri, document_.base_dir, field + ".uri"));
+  if (source.view < 0) fail(field, "has neither uri nor bufferView; export the file again");
+  const auto bytes = document_.views[std::size_t(source.view)].bytes;
+  return fmt::format("{} bytes at {}", bytes.size(), static_cast<const void*>(bytes.data()));
+}
+
+Pictures::Loaded Pictures::read(int index, const std::string& field) const {
+  const ImageSource& source = document_.images[std::size_t(index)];
+  Loaded loaded;
+  try {
+    MemoryShare transient(kept_.budget());
+    std::vector<std::uint8_t> file;
+    std::span<const std::uint8_t> bytes;
+    std::string name = field;
+    if (!source.uri.empty()) {
+      file =
+          read_uri(source.uri, document_.base_dir, field + ".uri", transient, k_largest_file + 1);
+      if (file.size() > k_largest_file)
+        fail(field + ".uri", fmt::format("{} has more than {}, too much for a picture",
+                                         quote(source.uri, 160), memory_size_text(k_largest_file)));
+      bytes = file;
+      if (!is_data_uri(source.uri)) name += fmt::format(".uri: {}", quote(source.uri, 160));
+    } else {
+      bytes = document_.views[std::size_t(source.view)].bytes;
+    }
+    Result<image::Texels> decoded = image::decode_texels(bytes, name, true);
+    if (!decoded) throw Failure{decoded.error().message};
+    take_memory(
+        kept_, decoded->byte_count() + decoded->pixel_count() / 3 * k_smaller_copies,
+        fmt::format("{}: a picture of {}x{} pixels", name, decoded->width, decoded->height));
+    loaded.texels = std::move(*decoded);
+  } catch (const Failure& failure) {
+    loaded.failure = failure.message;
+  }
+  return loaded;
+}
+
+image::Texels Pictures::load(int index, bool is_color) {
+  const std::string field = fmt::format("images[{}]", index);
+  const std::string key = key_of(index, field);
+  auto known = loaded_.find(key);
+  if (known == loaded_.end()) known = loaded_.emplace(key, read(index, field)).first;
+  if (!known->second.failure.empty()) throw Failure{known->second.failure};
+  return known->second.texels.taken_as(is_color);
+}
+
+} // namespace openltc::scene::gltf
