@@ -6,6 +6,7 @@
 #include "cli/camera_choice.h"
 #include "cli/commands.h"
 #include "cli/output_place.h"
+#include "cli/pose_options.h"
 #include "openltc/image/difference.h"
 #include "openltc/image/file.h"
 #include "openltc/image/flip.h"
@@ -57,6 +58,7 @@ Exit code 0: compared (whatever the difference); 1: a file cannot be read or wri
 differ; 2: wrong usage.)";
 
 struct Options {
+  scene::PoseOptions pose;
   std::string a, b, diff, mask, scene, camera;
   std::string metric = "relative";
   std::string exposure;
@@ -304,7 +306,7 @@ void print_table(const Options& options, const Image& a, const image::Metrics& m
 Result<std::vector<render::SurfaceError>> surface_errors(const Options& options, const Image& a,
                                                          const Image& b, double eps) {
   if (options.scene.empty()) return std::vector<render::SurfaceError>();
-  Result<scene::Scene> scene = scene::load_gltf(options.scene);
+  Result<scene::Scene> scene = scene::load_gltf(options.scene, {}, options.pose);
   if (!scene) return scene.error();
   Result<scene::Camera> camera =
       choose_camera(*scene, options.camera, options.scene, float(a.width) / float(a.height));
@@ -394,6 +396,9 @@ void add_compare(CLI::App& app, int& exit_code) {
       ->add_option("--camera", options->camera,
                    "The camera they show it from, as for openltc render [the first]")
       ->needs("--scene");
+  add_pose_options(*command, options->pose);
+  for (const char* option : {"--time", "--animation"})
+    command->get_option(option)->needs("--scene");
   command->add_option("--mask", options->mask,
                       "Compare only pixels where this picture is not black");
   command

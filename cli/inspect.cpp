@@ -6,6 +6,7 @@
 #include "cli/inspect.h"
 
 #include "cli/commands.h"
+#include "cli/pose_options.h"
 #include "cli/shape_options.h"
 #include "openltc/table/packed_file.h"
 
@@ -26,6 +27,7 @@ struct InspectArguments {
   std::string path;
   bool json = false;
   scene::EmissiveOptions emissive;
+  scene::PoseOptions pose;
 };
 
 struct Kind {
@@ -39,7 +41,8 @@ constexpr Kind k_kinds[] = {
     {".ktx2", inspect_table},   {".npy", inspect_table},
 };
 
-Result<Description> describe(const std::string& path, const scene::EmissiveOptions& emissive) {
+Result<Description> describe(const InspectArguments& arguments) {
+  const std::string& path = arguments.path;
   std::error_code ec;
   const auto status = std::filesystem::status(path, ec);
   if (std::filesystem::is_directory(status)) return Error{fmt::format("{}: is a directory", path)};
@@ -51,7 +54,8 @@ Result<Description> describe(const std::string& path, const scene::EmissiveOptio
       // A table of two files goes by the name of neither: ggx.dds is ggx_1.dds and ggx_2.dds.
       const bool may_be_two = kind.inspect == inspect_table || kind.inspect == inspect_exr;
       if (!std::filesystem::exists(status) && !(may_be_two && table::table_exists(path))) break;
-      return kind.inspect ? kind.inspect(path) : inspect_scene(path, emissive);
+      return kind.inspect ? kind.inspect(path)
+                          : inspect_scene(path, arguments.emissive, arguments.pose);
     }
   if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
   return Error{
@@ -62,7 +66,7 @@ Result<Description> describe(const std::string& path, const scene::EmissiveOptio
 }
 
 int run_inspect(const InspectArguments& arguments) {
-  const Result<Description> description = describe(arguments.path, arguments.emissive);
+  const Result<Description> description = describe(arguments);
   if (!description) return fail("inspect", description.error());
   if (!arguments.json) {
     fmt::print("{}", description->text);
@@ -82,7 +86,8 @@ void add_inspect(CLI::App& app, int& exit_code) {
       app.add_subcommand("inspect", "Say what a file is: a scene, a picture or a lobe table");
   command->footer(
       "A scene (.gltf .glb): geometry, cameras by number and name, lights in nits, candela and\n"
-      "lumens, and what the importer warns about. A picture (.exr .hdr .png .jpg): size, layers,\n"
+      "lumens, animations, and what the importer warns about; coordinates are the file's. A "
+      "picture (.exr .hdr .png .jpg): size, layers,\n"
       "range and mean of each channel, NaN and infinities, and for scene-linear ones the exposure\n"
       "that --exposure auto would choose. A lobe table (.json .dds .ktx2 .exr .npy): its "
       "metadata,\n"
@@ -100,6 +105,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "  openltc inspect ltc_1.dds");
   command->add_option("file", arguments->path, "File to look at")->required();
   add_shape_options(*command, arguments->emissive);
+  add_pose_options(*command, arguments->pose);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->callback([arguments, &exit_code] { exit_code = run_inspect(*arguments); });
 }

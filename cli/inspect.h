@@ -7,6 +7,7 @@
 
 #include "openltc/base/result.h"
 #include "openltc/scene/emissive.h"
+#include "openltc/scene/pose.h"
 #include "openltc/table/lobe_table.h"
 
 #include <nlohmann/json.hpp>
@@ -35,7 +36,8 @@ Result<Description> inspect_polynomial(const std::string& path);
 Result<Description> inspect_exr(const std::string& path);
 /// A picture, .exr .hdr .png .jpg: size, layers, range of each channel, exposure.
 Result<Description> inspect_picture(const std::string& path);
-/// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, warnings.
-Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive);
+/// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, animations, warnings.
+Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive,
+                                  const scene::PoseOptions& pose);
 
 } // namespace openltc::cli

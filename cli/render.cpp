@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/lobe_file.h"
 #include "cli/picture_output.h"
+#include "cli/pose_options.h"
 #include "cli/shape_options.h"
 #include "openltc/base/progress.h"
 #include "openltc/render/renderer.h"
@@ -56,6 +57,7 @@ struct RenderArguments {
   int threads = 0;
   std::string kernel = "auto";
   scene::EmissiveOptions emissive;
+  scene::PoseOptions pose;
   bool half = false;
   bool quiet = false;
   bool json = false;
@@ -224,7 +226,8 @@ int run_render(const RenderArguments& arguments) {
 
   catch_interrupts();
   const auto load_start = std::chrono::steady_clock::now();
-  Result<scene::Scene> loaded = scene::load_gltf(arguments.scene, arguments.emissive);
+  Result<scene::Scene> loaded =
+      scene::load_gltf(arguments.scene, arguments.emissive, arguments.pose);
   if (!loaded) return fail("render", loaded.error());
   scene::Scene& scene = *loaded;
   const double load_seconds =
@@ -235,7 +238,7 @@ int run_render(const RenderArguments& arguments) {
       choose_camera(scene, arguments.camera, arguments.scene, wanted_aspect);
   if (!camera) return fail("render", camera.error());
   if (!size_given && camera->aspect > 0)
-    options.width = std::clamp(int(float(options.height) * camera->aspect + 0.5f), 16, 8192);
+    options.width = int(std::clamp(float(options.height) * camera->aspect + 0.5f, 16.0f, 8192.0f));
   const LightsChosen lights = choose_lights(scene, arguments.lights, *camera);
   if (lights.studio_level) {
     if (!background_given) options.background = Vec3f(k_studio_background_nits);
@@ -405,6 +408,7 @@ void add_render(CLI::App& app, int& exit_code) {
       ->transform(one_of(choices))
       ->type_name(words_of(choices));
   add_shape_options(*command, a.emissive);
+  add_pose_options(*command, a.pose);
   command
       ->add_option("--camera", a.camera,
                    "Camera by name or number from 0; \"frame\" shows the whole scene [the first]")

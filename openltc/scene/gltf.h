@@ -7,6 +7,7 @@
 
 #include "openltc/base/result.h"
 #include "openltc/scene/emissive.h"
+#include "openltc/scene/pose.h"
 #include "openltc/scene/scene.h"
 
 #include <cstdint>
@@ -16,14 +17,15 @@
 namespace openltc::scene {
 
 /// Reads a glTF file and everything it refers to; `emissive` says how emissive surfaces become
-/// lights.
+/// lights, `pose` at which moment of an animation it is read.
 /// An Error names the file and the field (e.g. "a.gltf: accessors[3].count: ..."). Never throws.
-Result<Scene> load_gltf(const std::string& path, const EmissiveOptions& emissive = {});
+Result<Scene> load_gltf(const std::string& path, const EmissiveOptions& emissive = {},
+                        const PoseOptions& pose = {});
 
 /// The same from memory, a .glb or the text of a .gltf; relative references are looked up in
 /// `base_dir`, and refused when it is empty. `name` stands for the file in messages.
 Result<Scene> load_gltf_memory(std::span<const std::uint8_t> bytes, const std::string& name,
                                const std::string& base_dir = {},
-                               const EmissiveOptions& emissive = {});
+                               const EmissiveOptions& emissive = {}, const PoseOptions& pose = {});
 
 } // namespace openltc::scene

@@ -40,6 +40,12 @@ struct ImageSource {
   int view = -1;
 };
 
+/// One of the file's animations.
+struct FileAnimation {
+  std::size_t index = 0; ///< in the file
+  nlohmann::json json;
+};
+
 /// A checked document. All indices between its parts are in range; accessors are checked when they
 /// are read.
 struct Document {
@@ -54,8 +60,9 @@ struct Document {
   std::vector<ImageSource> images;
   std::vector<NodeExtras> extras;            ///< of each node
   std::map<std::string, int> light_textures; ///< by reference: index into Lights::textures
-  std::size_t skin_count = 0;
-  std::size_t animation_count = 0;
+  std::vector<FileAnimation> animations;     ///< those whose structure is right
+  std::vector<nlohmann::json> skins;         ///< null where the structure is wrong
+  std::vector<int> node_skins;               ///< of each node, -1 = none
   Warnings warnings;
 
   std::vector<std::vector<std::uint8_t>> storage; ///< what the views point into

@@ -10,23 +10,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string_view>
 
 namespace openltc::scene::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> k_supported = {
-    "EXT_lights_area",
-    "EXT_meshopt_compression",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_specular",
-    "KHR_materials_unlit",
-    "KHR_mesh_quantization",
+constexpr std::string_view k_supported[] = {
+    "EXT_lights_area",         "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression", "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_specular",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",
     "KHR_texture_transform",
     "KHR_xmp_json_ld", // metadata, nothing to draw
 };
@@ -36,7 +32,7 @@ struct Meaning {
   std::string_view without;
 };
 
-constexpr std::array<Meaning, 20> k_unsupported = {{
+constexpr Meaning k_unsupported[] = {
     {"KHR_materials_clearcoat", "the clear coat is left out"},
     {"KHR_materials_transmission", "such surfaces are opaque"},
     {"KHR_materials_volume", "such bodies do not tint or refract light"},
@@ -53,12 +49,11 @@ constexpr std::array<Meaning, 20> k_unsupported = {{
     {"EXT_texture_webp", "the plain PNG or JPEG is used where the file has one"},
     {"EXT_texture_avif", "the plain PNG or JPEG is used where the file has one"},
     {"MSFT_texture_dds", "the plain PNG or JPEG is used where the file has one"},
-    {"EXT_mesh_gpu_instancing", "only one copy of an instanced mesh is shown"},
     {"EXT_lights_image_based", "the environment's light is left out"},
     {"MSFT_lod", "the first level of detail is shown"},
-    {"KHR_animation_pointer", "nothing moves; the rest pose is shown"},
+    {"KHR_animation_pointer", "what it moves stays at rest"},
     {"KHR_node_visibility", "hidden objects are shown"},
-}};
+};
 
 bool contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -69,7 +64,7 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 void check_extensions(const std::vector<std::string>& used,
                       const std::vector<std::string>& required, Document& document) {
   const auto is_supported = [](const std::string& name) {
-    return std::find(k_supported.begin(), k_supported.end(), name) != k_supported.end();
+    return std::find(std::begin(k_supported), std::end(k_supported), name) != std::end(k_supported);
   };
   for (std::size_t i = 0; i < required.size(); ++i) {
     const std::string field = fmt::format("extensionsRequired[{}]", i);
@@ -83,11 +78,11 @@ void check_extensions(const std::vector<std::string>& used,
   }
   for (const std::string& name : used) {
     if (is_supported(name) || contains(required, name)) continue;
-    const auto known = std::find_if(k_unsupported.begin(), k_unsupported.end(),
+    const auto known = std::find_if(std::begin(k_unsupported), std::end(k_unsupported),
                                     [&](const Meaning& m) { return m.extension == name; });
-    document.warnings.add(
-        fmt::format("{} is not supported yet: {}", name.substr(0, 60),
-                    known == k_unsupported.end() ? "what it adds is left out" : known->without));
+    document.warnings.add(fmt::format("{} is not supported yet: {}", name.substr(0, 60),
+                                      known == std::end(k_unsupported) ? "what it adds is left out"
+                                                                       : known->without));
   }
 }
 

@@ -187,7 +187,8 @@ private:
       light.cos_inner = float(std::cos(inner * std::numbers::pi / 180));
       light.cos_outer = float(std::cos(outer * std::numbers::pi / 180));
     }
-    if (!is_far) light.range = float(p_.not_negative("range", 0));
+    if (!is_far)
+      light.range = float(std::min(p_.not_negative("range", 0), 1e2 * light::k_max_metres));
     const bool is_given = p_.has("intensity_candela") || p_.has("flux_lumens");
     if (has_profile && !is_given) {
       light.intensity = limited(read_color() * light.profile->max_candela);

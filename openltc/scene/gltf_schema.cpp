@@ -73,8 +73,8 @@ const Type& type_named(std::string_view name) {
         {"images", Kind::objects, "image"},
         {"samplers", Kind::objects, "sampler"},
         {"cameras", Kind::objects, "camera"},
-        {"skins", Kind::objects, "skin"},
-        {"animations", Kind::objects, "animation"},
+        {"skins", Kind::objects, "nothing"}, // check_part
+        {"animations", Kind::objects, "nothing"},
         {"extensions", Kind::object, "root_extensions"},
         {"scene", Kind::index, "/scenes"}}},
       {"asset", {{"version", Kind::text, "", k_required}, {"minVersion", Kind::text}}},
@@ -93,7 +93,9 @@ const Type& type_named(std::string_view name) {
         {"extensions", Kind::object, "node_extensions"}}},
       {"node_extensions",
        {{"KHR_lights_punctual", Kind::object, "node_light_punctual"},
-        {"EXT_lights_area", Kind::object, "node_light_area"}}},
+        {"EXT_lights_area", Kind::object, "node_light_area"},
+        {"EXT_mesh_gpu_instancing", Kind::object, "node_instancing"}}},
+      {"node_instancing", {{"attributes", Kind::index_map, "/accessors", k_required}}},
       {"node_light_punctual",
        {{"light", Kind::index, "/extensions/KHR_lights_punctual/lights", k_required}}},
       {"node_light_area",
@@ -236,8 +238,21 @@ const Type& type_named(std::string_view name) {
         {"ymag", Kind::number, "", k_required},
         {"zfar", Kind::number, "", k_required},
         {"znear", Kind::number, "", k_required}}},
-      {"skin", {}},
-      {"animation", {}},
+      {"skin",
+       {{"inverseBindMatrices", Kind::index, "/accessors"},
+        {"joints", Kind::indices, "/nodes", k_required}}},
+      {"animation",
+       {{"name", Kind::text},
+        {"channels", Kind::objects, "animation_channel", k_required},
+        {"samplers", Kind::objects, "animation_sampler", k_required}}},
+      {"animation_channel",
+       {{"sampler", Kind::count, "int", k_required},
+        {"target", Kind::object, "animation_target", k_required}}},
+      {"animation_target", {{"node", Kind::index, "/nodes"}, {"path", Kind::text, "", k_required}}},
+      {"animation_sampler",
+       {{"input", Kind::index, "/accessors", k_required},
+        {"output", Kind::index, "/accessors", k_required},
+        {"interpolation", Kind::choice, "LINEAR|STEP|CUBICSPLINE"}}},
       {"root_extensions",
        {{"KHR_lights_punctual", Kind::object, "lights_punctual"},
         {"EXT_lights_area", Kind::object, "lights_area"}}},
@@ -401,5 +416,9 @@ private:
 } // namespace
 
 void check_schema(json& root) { Checker(root).check_object(root, "", "root"); }
+
+void check_part(json& root, json& part, const std::string& path, const char* type) {
+  Checker(root).check_object(part, path, type);
+}
 
 } // namespace openltc::scene::gltf

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 namespace openltc::scene::gltf {
 
@@ -14,5 +15,10 @@ namespace openltc::scene::gltf {
 ///
 /// Whole numbers written as 3.0 become integers, as what reads `root` later expects.
 void check_schema(nlohmann::json& root);
+
+/// The same for one part of `root` that check_schema passes over, so that the file is not lost with
+/// it: `type` is "animation" or "skin", `path` stands for it in messages.
+void check_part(nlohmann::json& root, nlohmann::json& part, const std::string& path,
+                const char* type);
 
 } // namespace openltc::scene::gltf
