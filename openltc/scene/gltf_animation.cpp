@@ -36,9 +36,9 @@ struct Sampler {
   std::size_t values_per_key = 1; ///< 3 for a cubic spline
 };
 
-class Reader {
+class AnimationReader {
 public:
-  Reader(Document& document, const PoseOptions& options)
+  AnimationReader(Document& document, const PoseOptions& options)
       : document_(document), model_(*document.model), options_(options) {}
 
   std::vector<NodePose> read(std::vector<Animation>& animations) {
@@ -215,7 +215,7 @@ private:
 
 std::vector<NodePose> read_pose(Document& document, const PoseOptions& options,
                                 std::vector<Animation>& animations) {
-  return Reader(document, options).read(animations);
+  return AnimationReader(document, options).read(animations);
 }
 
 } // namespace openltc::scene::gltf

@@ -11,11 +11,11 @@
 #include "openltc/scene/gltf_extras_light.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_instances.h"
+#include "openltc/scene/gltf_lamp.h"
 #include "openltc/scene/gltf_light.h"
 #include "openltc/scene/gltf_material.h"
 #include "openltc/scene/gltf_primitive.h"
 #include "openltc/scene/gltf_skin.h"
-#include "openltc/scene/light_surface.h"
 #include "openltc/scene/normals.h"
 #include "openltc/scene/scene_origin.h"
 #include "openltc/scene/transform.h"
@@ -343,55 +343,11 @@ private:
     std::swap(found.light.textures, scene_.lights.textures);
     if (found.light.empty()) return;
     if (first_mesh < scene_.meshes.size()) {
-      attach_mesh(label, found.light, std::span(scene_.meshes).subspan(first_mesh));
+      attach_mesh(label, std::span(scene_.meshes).subspan(first_mesh), scene_.materials,
+                  found.light, document_.warnings);
     }
     append_lights(found.light, scene_.lights);
     imported_.extras_lights.push_back(std::move(found));
-  }
-
-  void attach_mesh(const std::string& label, light::Lights& light, std::span<Mesh> meshes) {
-    // Where some of the mesh's surfaces glow, those are the lamp, and the others its housing.
-    const auto glows = [&](const Mesh& mesh) {
-      const Vec3f e = scene_.materials[std::size_t(mesh.material)].emission;
-      return e.x > 0 || e.y > 0 || e.z > 0;
-    };
-    const bool any_glows = std::any_of(meshes.begin(), meshes.end(), glows);
-    for (Mesh& mesh : meshes)
-      mesh.emits_light = false;
-    if (!light.punctual.empty()) {
-      if (light.punctual[0].type != light::PunctualType::directional)
-        document_.warnings.add(label + ": the light has no extent, so that the node's mesh shadows "
-                                       "it; give it the type of the mesh's shape");
-      return;
-    }
-    light.for_each_area_light([&](const auto& area_light) {
-      double deviation = 0;
-      for (const Mesh& mesh : meshes) {
-        if (any_glows && !glows(mesh)) continue;
-        for (const Vec3f p : mesh.positions)
-          deviation = std::max(deviation, distance_outside(area_light, p));
-      }
-      if (deviation > reach_of(area_light)) {
-        document_.warnings.add(
-            fmt::format("{}: its mesh reaches {:.3g} m beyond the light, so that it is not taken "
-                        "for the light's surface and may shadow it",
-                        label, deviation));
-        deviation = 0;
-      }
-      set_surface_deviation(light, float(deviation));
-    });
-  }
-
-  static void set_surface_deviation(light::Lights& lights, float deviation) {
-    const auto set = [&](auto& list) {
-      for (auto& light : list)
-        light.surface_deviation = deviation;
-    };
-    set(lights.polygons);
-    set(lights.ellipses);
-    set(lights.spheres);
-    set(lights.tubes);
-    set(lights.lines);
   }
 
   void note_without_area(std::size_t mesh_index, std::size_t primitive) {

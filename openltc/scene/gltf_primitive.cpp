@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Primitives: glTF 2.0 specification, section 3.7.2; morph targets: 3.7.2.2.
+// Primitives: glTF 2.0 specification, section 3.7.2.
 
 #include "openltc/scene/gltf_primitive.h"
 
@@ -10,6 +10,7 @@
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_draco.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_morph.h"
 #include "openltc/scene/normals.h"
 #include "openltc/scene/tangents.h"
 
@@ -71,7 +72,8 @@ public:
     read_positions(mesh);
     read_triangles(mesh, mode);
     read_optional(mesh);
-    add_targets(mesh, deformation.weights);
+    add_targets(document_, primitive_.targets, field_, deformation.weights, mesh);
+    keep_usable(mesh);
     if (!deformation.joints.empty()) result.is_skinned = apply_skin(mesh, deformation.joints);
     check_positions(mesh);
     const std::size_t dropped = drop_degenerate_triangles(mesh);
@@ -275,37 +277,7 @@ private:
 
   // --- deformation -----------------------------------------------------------------------------
 
-  // Targets hold differences to the attributes of the same name, three numbers for a tangent.
-  void add_targets(Mesh& mesh, const std::vector<double>& weights) {
-    const std::size_t count = std::min(weights.size(), primitive_.targets.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const double weight = weights[i];
-      if (weight == 0) continue;
-      const auto& target = primitive_.targets[i];
-      const auto add = [&](const char* name, auto& values, std::size_t at_least,
-                           std::size_t at_most) {
-        const auto attribute = target.find(name);
-        if (attribute == target.end() || values.empty()) return;
-        const std::string field = fmt::format("{}.targets[{}].{}", field_, i, name);
-        const Floats floats = read_floats(document_, attribute->second);
-        if (floats.components < at_least || floats.components > at_most)
-          fail(field, fmt::format("has {} components per vertex; export the file again",
-                                  floats.components));
-        if (floats.count != values.size())
-          fail(field, fmt::format("has {} vertices but {} has {}; the file is damaged, export it "
-                                  "again",
-                                  floats.count, name, values.size()));
-        for (std::size_t v = 0; v < floats.count; ++v)
-          add_to(values[v], floats.values.data() + floats.components * v, floats.components,
-                 weight);
-      };
-      add("POSITION", mesh.positions, 3, 3);
-      add("NORMAL", mesh.normals, 3, 4);
-      add("TANGENT", mesh.tangents, 3, 3);
-      add("TEXCOORD_0", mesh.tex_coord_0, 2, 2);
-      add("TEXCOORD_1", mesh.tex_coord_1, 2, 2);
-      add("COLOR_0", mesh.colors, 3, 4);
-    }
+  static void keep_usable(Mesh& mesh) {
     for (Vec2f& uv : mesh.tex_coord_0)
       uv = usable(uv);
     for (Vec2f& uv : mesh.tex_coord_1)
@@ -319,20 +291,6 @@ private:
   } // 0 for NaN
   static Vec2f usable(Vec2f uv) {
     return std::abs(uv.x) < 1e9f && std::abs(uv.y) < 1e9f ? uv : Vec2f(0, 0);
-  }
-
-  static void add_to(Vec2f& to, const float* v, std::size_t, double weight) {
-    to = Vec2f(sum(to.x, v[0], weight), sum(to.y, v[1], weight));
-  }
-  static void add_to(Vec3f& to, const float* v, std::size_t, double weight) {
-    to = Vec3f(sum(to.x, v[0], weight), sum(to.y, v[1], weight), sum(to.z, v[2], weight));
-  }
-  static void add_to(Vec4f& to, const float* v, std::size_t components, double weight) {
-    to = Vec4f(sum(to.x, v[0], weight), sum(to.y, v[1], weight), sum(to.z, v[2], weight),
-               components == 4 ? sum(to.w, v[3], weight) : to.w);
-  }
-  static float sum(float value, float difference, double weight) {
-    return float(double(value) + weight * double(difference));
   }
 
   // False where the primitive does not say which joints move it.

@@ -10,7 +10,7 @@ namespace openltc::scene {
 
 namespace {
 
-double dot(std::span<const double> a, std::span<const double> b) {
+double product_of(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     sum += a[i] * b[i];
@@ -18,7 +18,7 @@ double dot(std::span<const double> a, std::span<const double> b) {
 }
 
 void bring_to_unit_length(std::vector<double>& q) {
-  const double l = std::sqrt(dot(q, q));
+  const double l = std::sqrt(product_of(q, q));
   if (!(l > 0) || !std::isfinite(l)) return;
   for (double& c : q)
     c /= l;
@@ -28,7 +28,7 @@ void bring_to_unit_length(std::vector<double>& q) {
 std::vector<double> slerp(std::vector<double> a, std::vector<double> b, double t) {
   bring_to_unit_length(a);
   bring_to_unit_length(b);
-  const double cosine = dot(a, b);
+  const double cosine = product_of(a, b);
   const double sign = cosine < 0 ? -1 : 1;
   const double angle = std::acos(std::min(std::abs(cosine), 1.0));
   const bool is_flat = !(std::sin(angle) > 1e-6);

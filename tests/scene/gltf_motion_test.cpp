@@ -105,7 +105,7 @@ TEST_CASE("a_morphed_mesh_without_normals_gets_those_of_its_shape") {
 
 TEST_CASE("a_morphed_emissive_surface_lights_from_where_it_is") {
   GltfBuilder file;
-  file.root["materials"] = {{{"emissiveFactor", {1, 1, 1}}}};
+  file.root["materials"] = json::array({{{"emissiveFactor", {1, 1, 1}}}});
   json primitive = tilting_square(file);
   primitive["material"] = 0;
   file.add_mesh_node(primitive, {{"weights", {1}}});
@@ -205,7 +205,7 @@ TEST_CASE("a_damaged_skin_costs_the_bending_not_the_file") {
 TEST_CASE("every_instance_is_shown_and_lights") {
   GltfBuilder file;
   file.use("EXT_mesh_gpu_instancing", true);
-  file.root["materials"] = {{{"emissiveFactor", {1, 1, 1}}}};
+  file.root["materials"] = json::array({{{"emissiveFactor", {1, 1, 1}}}});
   json primitive = file.square_primitive();
   primitive["material"] = 0;
   const int translations = file.add_vec3({0, 0, 0, 4, 0, 0, 0, 6, 0});
@@ -258,6 +258,19 @@ int add_scalars(GltfBuilder& file, const std::vector<float>& values) {
   return file.add_accessor(values, "SCALAR", k_float, 1);
 }
 
+json channel(int sampler, int node, const char* path) {
+  return {{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}};
+}
+
+json sampler(int input, int output, const char* interpolation = "LINEAR") {
+  return {{"input", input}, {"output", output}, {"interpolation", interpolation}};
+}
+
+json animation(const char* name, const std::vector<json>& samplers,
+               const std::vector<json>& channels) {
+  return {{"name", name}, {"samplers", samplers}, {"channels", channels}};
+}
+
 // The square, moved by "Walk" along x from 0 to 8 within 2 s and turned, in "Turn", by a quarter
 // about z within 1 s.
 GltfBuilder moving_square() {
@@ -267,13 +280,10 @@ GltfBuilder moving_square() {
   const int way = file.add_vec3({0, 0, 0, 8, 0, 0});
   const std::vector<float> turn = {0, 0, 0, 1, 0, 0, float(k_half), float(k_half)};
   const int turns = file.add_accessor(turn, "VEC4", k_float, 4);
-  file.root["animations"] = {
-      {{"name", "Walk"},
-       {"samplers", {{{"input", two_seconds}, {"output", way}}}},
-       {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}},
-      {{"name", "Turn"},
-       {"samplers", {{{"input", one_second}, {"output", turns}}}},
-       {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}}}}}};
+  file.root["animations"].push_back(
+      animation("Walk", {sampler(two_seconds, way)}, {channel(0, 0, "translation")}));
+  file.root["animations"].push_back(
+      animation("Turn", {sampler(one_second, turns)}, {channel(0, 0, "rotation")}));
   return file;
 }
 
@@ -321,19 +331,12 @@ TEST_CASE("steps_splines_weights_and_scales_are_played") {
   // value 0 leaving with slope 2, value 1 arriving with slope 0
   const int spline = file.add_vec3({0, 0, 0, 1, 1, 1, 2, 0, 0, 0, 0, 0, 2, 1, 1, 0, 0, 0});
   const std::vector<std::uint8_t> weights = {0, 255};
-  file.root["animations"] = {
-      {{"samplers",
-        {{{"input", times}, {"output", spline}, {"interpolation", "CUBICSPLINE"}},
-         {{"input", times},
-          {"output", file.add_accessor(weights, "SCALAR", k_ubyte, 1, true)},
-          {"interpolation", "STEP"}},
-         {{"input", times},
-          {"output", file.add_vec3({0, 0, 0, 10, 0, 0})},
-          {"interpolation", "LINEAR"}}}},
-       {"channels",
-        {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}},
-         {{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}},
-         {{"sampler", 2}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+  const int on = file.add_accessor(weights, "SCALAR", k_ubyte, 1, true);
+  const int way = file.add_vec3({0, 0, 0, 10, 0, 0});
+  file.root["animations"].push_back(animation(
+      "all",
+      {sampler(times, spline, "CUBICSPLINE"), sampler(times, on, "STEP"), sampler(times, way)},
+      {channel(0, 0, "scale"), channel(1, 0, "weights"), channel(2, 0, "translation")}));
   const auto at_two = load_at(file, {2.0, ""});
   REQUIRE(at_two.ok());
   CHECK(at_two->warnings.empty());
@@ -365,11 +368,9 @@ TEST_CASE("a_damaged_animation_costs_no_picture") {
 TEST_CASE("joints_move_a_skinned_mesh_with_time") {
   GltfBuilder file = skinned_triangle({0, 0, 0}, 0);
   const std::vector<float> turn = {0, 0, 0, 1, 0, 0, 1, 0}; // by 180 degrees
-  file.root["animations"] = {
-      {{"samplers",
-        {{{"input", add_scalars(file, {0, 1})},
-          {"output", file.add_accessor(turn, "VEC4", k_float, 4)}}}},
-       {"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "rotation"}}}}}}}};
+  const int turns = file.add_accessor(turn, "VEC4", k_float, 4);
+  file.root["animations"].push_back(
+      animation("bend", {sampler(add_scalars(file, {0, 1}), turns)}, {channel(0, 2, "rotation")}));
   const auto loaded = load_at(file, {0.5, ""});
   REQUIRE(loaded.ok());
   CHECK(is_near(loaded->meshes.at(0).positions.at(1), {-1, 1, 0}));

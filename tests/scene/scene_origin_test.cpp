@@ -38,10 +38,12 @@ GltfBuilder room_at(Vec3d at) {
   GltfBuilder file;
   file.use("KHR_lights_punctual");
   file.use("EXT_lights_area");
-  file.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
-  file.root["extensions"]["EXT_lights_area"]["lights"] = {{{"type", "disk"}, {"size", 0.5}}};
-  file.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
-  file.root["materials"] = {{{"emissiveFactor", {1, 1, 1}}}};
+  file.root["extensions"]["KHR_lights_punctual"]["lights"] = json::array({{{"type", "point"}}});
+  file.root["extensions"]["EXT_lights_area"]["lights"] =
+      json::array({{{"type", "disk"}, {"size", 0.5}}});
+  file.root["cameras"] =
+      json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}});
+  file.root["materials"] = json::array({{{"emissiveFactor", {1, 1, 1}}}});
   file.add_mesh_node(file.square_primitive());
   json lamp = file.square_primitive();
   lamp["material"] = 0;
@@ -59,7 +61,7 @@ GltfBuilder room_at(Vec3d at) {
   // Large translations that cancel but for `at`.
   nodes.push_back({{"children", {0, 1, 2, 3, 4, 5}}, {"translation", {-9e6, 4e6, 7e6}}});
   nodes.push_back({{"children", {6}}, {"translation", {at.x + 9e6, at.y - 4e6, at.z - 7e6}}});
-  file.root["scenes"][0]["nodes"] = {7};
+  file.root["scenes"][0]["nodes"] = json::array({7});
   return file;
 }
 
@@ -93,7 +95,7 @@ TEST_CASE("a_scene_far_away_has_the_coordinates_of_the_same_scene_at_the_origin"
 TEST_CASE("a_small_lamp_in_a_large_scene_has_an_area") {
   // A lamp of 2 mm, 3 km from the middle of a plain: single precision knows its corners to 0.2 mm.
   GltfBuilder file;
-  file.root["materials"] = {{{"emissiveFactor", {1, 1, 1}}}};
+  file.root["materials"] = json::array({{{"emissiveFactor", {1, 1, 1}}}});
   file.add_mesh_node(file.square_primitive(),
                      {{"scale", {8e3, 8e3, 1}}, {"translation", {-4e3, -4e3, 0}}});
   json lamp = file.square_primitive();
