@@ -99,7 +99,9 @@ TEST_CASE("a_morphed_mesh_without_normals_gets_those_of_its_shape") {
   json primitive = tilting_square(file);
   primitive["attributes"].erase("NORMAL");
   file.add_mesh_node(primitive, {{"weights", {1}}});
-  for (const Vec3f n : file.load()->meshes.at(0).normals)
+  const auto loaded = file.load();
+  REQUIRE(loaded.ok());
+  for (const Vec3f n : loaded->meshes.at(0).normals)
     CHECK(is_near(n, {float(-k_half), 0, float(k_half)}));
 }
 
@@ -304,7 +306,7 @@ TEST_CASE("a_time_poses_the_file") {
     const auto loaded = load_at(file, pose);
     REQUIRE(loaded.ok());
     CHECK(loaded->warnings.empty());
-    return loaded->meshes.at(0).positions.at(i);
+    return to_float(loaded->origin + to_double(loaded->meshes.at(0).positions.at(i)));
   };
   CHECK(is_near(corner({0.5, ""}, 0), {2, 0, 0}));
   CHECK(is_near(corner({2.0, "Walk"}, 0), {8, 0, 0}));
