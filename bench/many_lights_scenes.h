@@ -145,4 +145,52 @@ inline scene::Scene street(int lights) {
   return scene;
 }
 
+/// A glowing ring above a floor with five boxes around it, its surface cut into
+/// about `facets` triangles, each a light. The more facets, the smaller: the light stays the same.
+inline scene::Scene ring_of_facets(int facets) {
+  scene::Scene scene;
+  add_quad(scene, {-12, 0, -12}, {0, 0, 24}, {24, 0, 0},
+           add_material(scene, Vec3f(0.5f, 0.45f, 0.4f), 0.3f, false));
+  for (int i = 0; i < 5; ++i) {
+    const float angle = 1.2566f * float(i) + 0.4f, x = 2.6f * std::cos(angle),
+                z = 2.6f * std::sin(angle);
+    add_box(scene, {x - 0.4f, 0, z - 0.4f}, {x + 0.4f, 0.6f + 0.3f * float(i), z + 0.4f},
+            add_material(scene, Vec3f(0.8f, 0.3f + 0.1f * float(i), 0.5f), 0.2f + 0.15f * float(i),
+                         i % 2 == 0));
+  }
+  // A torus: twice as many steps around as across, two triangles each.
+  const int across = std::max(3, int(std::sqrt(double(facets) / 4))), around = 2 * across;
+  const auto point = [&](int i, int j) {
+    const double u = 6.283185307 * i / around, v = 6.283185307 * j / across;
+    const double r = 1.0 + 0.3 * std::cos(v);
+    return Vec3f(float(r * std::cos(u)), float(1.6 + 0.3 * std::sin(v)), float(r * std::sin(u)));
+  };
+  scene::Material glow;
+  glow.emission = Vec3f(400, 250, 120);
+  scene.materials.push_back(glow);
+  scene::Mesh mesh;
+  mesh.material = int(scene.materials.size()) - 1;
+  const auto add = [&](Vec3f a, Vec3f b, Vec3f c) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    const Vec3f n = normalize(cross(b - a, c - a));
+    mesh.positions.insert(mesh.positions.end(), {a, b, c});
+    mesh.normals.insert(mesh.normals.end(), 3, n);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    light::PolygonLight light;
+    light.vertices = {a, b, c};
+    light.ring_end = {3};
+    light.normal = n;
+    light.radiance = glow.emission;
+    scene.lights.polygons.push_back(light);
+  };
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) {
+      add(point(i, j), point(i, j + 1), point(i + 1, j + 1));
+      add(point(i, j), point(i + 1, j + 1), point(i + 1, j));
+    }
+  scene.meshes.push_back(mesh);
+  scene.cameras.push_back(look_at({1.5f, 3.2f, 5.5f}, {0, 0.7f, 0}));
+  return scene;
+}
+
 } // namespace openltc::bench

@@ -3,7 +3,7 @@
 
 #include "cli/camera_choice.h"
 
-#include "openltc/scene/framing.h"
+#include "openltc/render/view_choice.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace openltc::cli {
 Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string& choice,
                                     const std::string& file, float aspect) {
   if (choice == "frame" || (choice.empty() && scene.cameras.empty()))
-    return scene::frame_scene(scene, aspect);
+    return render::choose_view(scene, aspect);
   if (choice.empty()) return scene.cameras[0];
   for (const scene::Camera& camera : scene.cameras)
     if (camera.name == choice) return camera;

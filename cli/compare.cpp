@@ -5,8 +5,12 @@
 
 #include "cli/camera_choice.h"
 #include "cli/commands.h"
+#include "cli/compare_input.h"
+#include "cli/convert_picture.h"
 #include "cli/output_place.h"
 #include "cli/pose_options.h"
+#include "cli/standard_streams.h"
+#include "openltc/base/message.h"
 #include "openltc/image/difference.h"
 #include "openltc/image/file.h"
 #include "openltc/image/flip.h"
@@ -37,6 +41,9 @@ constexpr const char* k_footer =
     R"(B is the reference: relative errors are divided by its values, PSNR uses its peak.
 Pictures: .exr and .hdr hold scene-linear radiance; .png and .jpg are decoded from sRGB to linear
 light first. Alpha is ignored. A pixel with NaN or infinity in A or B is counted and left out.
+Of an .exr it is the picture without a name, or the only one of colour; others by --layer NAME or
+FILE:NAME. Luminance with chroma, CIE XYZ and other primaries are compared as Rec.709. What lies
+outside the data window is black. Vectors and single channels are compared as numbers, without FLIP.
 
 What the numbers mean
   mean relative   mean of |A-B| / (|B| + eps): "off by so many percent"
@@ -53,19 +60,23 @@ Examples
   openltc compare ltc.exr reference.exr --diff difference.png
   openltc compare ltc.exr reference.exr --scene scene.glb     where the error lies, by surface
   openltc compare a.png b.png --metric flip --diff flip.png --json
+  openltc compare blender.exr:ViewLayer.Combined truth.exr
 
 Exit code 0: compared (whatever the difference); 1: a file cannot be read or written, or the sizes
-differ; 2: wrong usage.)";
+or kinds differ; 2: wrong usage.)";
 
 struct Options {
   scene::PoseOptions pose;
-  std::string a, b, diff, mask, scene, camera;
+  std::string a, b, layer, diff, mask, scene, camera;
   std::string metric = "relative";
   std::string exposure;
   float pixels_per_degree = image::FlipOptions{}.pixels_per_degree;
   float scale = 0.0f;
   bool json = false;
 };
+
+// FLIP's filters reach over a fifth of a degree; the sharpest eye sees 120 pixels in one.
+constexpr float k_least_ppd = 1.0f, k_most_ppd = 1000.0f;
 
 std::optional<float> parse_number(const std::string& text) {
   float value = 0.0f;
@@ -74,15 +85,15 @@ std::optional<float> parse_number(const std::string& text) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::string check_exposure(const std::string& text) {
-  const auto value = parse_number(text);
-  if (text == "auto" || (value && std::fabs(*value) <= 60.0f)) return "";
-  return "must be 'auto' or an EV100 from -60 to 60, not '" + text + "'";
-}
-
 std::string check_positive(const std::string& text) {
   const auto value = parse_number(text);
   return value && *value > 0.0f ? "" : "must be a positive number, not '" + text + "'";
+}
+
+std::string check_ppd(const std::string& text) {
+  const auto value = parse_number(text);
+  if (value && *value >= k_least_ppd && *value <= k_most_ppd) return "";
+  return fmt::format("must be a number from {} to {}, not '{}'", k_least_ppd, k_most_ppd, text);
 }
 
 std::string check_png(const std::string& text) {
@@ -90,14 +101,6 @@ std::string check_png(const std::string& text) {
   std::transform(end.begin(), end.end(), end.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   return end == ".png" ? "" : "the difference picture must be named .png, not '" + text + "'";
-}
-
-Status check_same_size(const std::string& name_a, const Image& a, const std::string& name_b,
-                       const Image& b) {
-  if (a.width == b.width && a.height == b.height) return Success{};
-  return Error{fmt::format("{} has {}x{} pixels but {} has {}x{}; only pictures of the same size "
-                           "can be compared",
-                           name_a, a.width, a.height, name_b, b.width, b.height)};
 }
 
 // A pixel counts where any channel of the mask is above 0.
@@ -118,17 +121,16 @@ bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std
 
 struct Flip {
   Image map;        // NaN where a pixel is left out
-  std::string kind; // for the user
+  std::string kind; // for the user; empty where the numbers are no colours, so that there is none
   nlohmann::ordered_json details;
   double mean = 0.0, max = 0.0;
   image::PixelPlace max_at;
 };
 
-Flip compute_flip(const Options& options, const Image& a, const Image& b,
+// `hdr`: both hold scene-linear radiance.
+Flip compute_flip(const Options& options, bool hdr, const Image& a, const Image& b,
                   const std::vector<std::uint8_t>& mask) {
   const image::FlipOptions flip_options{options.pixels_per_degree};
-  const bool hdr =
-      image::is_scene_linear_extension(options.a) && image::is_scene_linear_extension(options.b);
   Flip flip;
   flip.details["pixels_per_degree"] = options.pixels_per_degree;
   if (hdr && options.exposure.empty()) {
@@ -223,14 +225,15 @@ Image make_difference_picture(const Options& options, const Image& a, const Imag
   return image::difference_picture(image::difference_map(a, b, kind, metrics.eps), picture);
 }
 
-void print_json(const Options& options, const Image& a, const image::Metrics& m, const Flip& flip,
+void print_json(const Options& options, const ComparedPicture& picture_a,
+                const ComparedPicture& picture_b, const image::Metrics& m, const Flip& flip,
                 const std::vector<render::SurfaceError>& surfaces) {
   const auto place = [](image::PixelPlace p) { return nlohmann::ordered_json::array({p.x, p.y}); };
   nlohmann::ordered_json out;
-  out["image"] = options.a;
-  out["reference"] = options.b;
-  out["width"] = a.width;
-  out["height"] = a.height;
+  out["image"] = picture_a.name;
+  out["reference"] = picture_b.name;
+  out["width"] = picture_a.picture.image.width;
+  out["height"] = picture_a.picture.image.height;
   out["pixels_compared"] = m.pixel_count;
   out["pixels_masked"] = m.masked_count;
   out["pixels_not_finite"] = m.non_finite_count;
@@ -250,8 +253,11 @@ void print_json(const Options& options, const Image& a, const image::Metrics& m,
   out["max_relative_error_at"] = place(m.max_relative_at);
   out["max_absolute_difference"] = m.max_abs;
   out["max_absolute_difference_at"] = place(m.max_abs_at);
-  out["flip"] = {{"mean", flip.mean}, {"max", flip.max}, {"max_at", place(flip.max_at)}};
-  out["flip"].update(flip.details);
+  out["flip"] = nullptr;
+  if (!flip.kind.empty()) {
+    out["flip"] = {{"mean", flip.mean}, {"max", flip.max}, {"max_at", place(flip.max_at)}};
+    out["flip"].update(flip.details);
+  }
   if (!options.diff.empty()) out["difference_picture"] = options.diff;
   for (const render::SurfaceError& e : surfaces)
     out["by_surface"].push_back({{"surface", e.surface},
@@ -262,21 +268,23 @@ void print_json(const Options& options, const Image& a, const image::Metrics& m,
                                  {"share", e.share}});
   // A path may hold any bytes; they must not break the output.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  fmt::print("{}\n", out.dump(2, ' ', false, replace));
+  put("{}\n", out.dump(2, ' ', false, replace));
 }
 
-void print_table(const Options& options, const Image& a, const image::Metrics& m, const Flip& flip,
+void print_table(const Options& options, const ComparedPicture& picture_a,
+                 const ComparedPicture& picture_b, const image::Metrics& m, const Flip& flip,
                  const std::vector<render::SurfaceError>& surfaces) {
-  fmt::print("image        {}\nreference    {}\n", options.a, options.b);
-  fmt::print("size         {}x{}, {} pixels compared", a.width, a.height, m.pixel_count);
-  if (m.masked_count > 0) fmt::print(", {} masked", m.masked_count);
+  put("image        {}\nreference    {}\n", picture_a.name, picture_b.name);
+  put("size         {}x{}, {} pixels compared", picture_a.picture.image.width,
+      picture_a.picture.image.height, m.pixel_count);
+  if (m.masked_count > 0) put(", {} masked", m.masked_count);
   if (m.non_finite_count > 0)
-    fmt::print(", {} with NaN or infinity left out (image {}, reference {})", m.non_finite_count,
-               m.non_finite_a, m.non_finite_b);
-  fmt::print("\n\n");
+    put(", {} with NaN or infinity left out (image {}, reference {})", m.non_finite_count,
+        m.non_finite_a, m.non_finite_b);
+  put("\n\n");
   const auto row = [](const char* name, const std::string& value, const std::string& note) {
-    fmt::print("{}\n", note.empty() ? fmt::format("{:<16}{:>12}", name, value)
-                                    : fmt::format("{:<16}{:>12}   {}", name, value, note));
+    put("{}\n", note.empty() ? fmt::format("{:<16}{:>12}", name, value)
+                             : fmt::format("{:<16}{:>12}   {}", name, value, note));
   };
   const auto number = [](double v) { return fmt::format("{:.5g}", v); };
   const auto percent = [](double v) { return fmt::format("{:.4g} %", 100.0 * v); };
@@ -290,16 +298,17 @@ void print_table(const Options& options, const Image& a, const image::Metrics& m
   row("max absolute", number(m.max_abs), at(m.max_abs_at));
   row("PSNR", std::isinf(m.psnr) ? "equal" : fmt::format("{:.2f} dB", m.psnr),
       fmt::format("peak {:.5g}", m.psnr_peak));
-  row("FLIP mean", number(flip.mean), flip.kind);
-  row("FLIP max", number(flip.max), at(flip.max_at));
+  if (!flip.kind.empty()) {
+    row("FLIP mean", number(flip.mean), flip.kind);
+    row("FLIP max", number(flip.max), at(flip.max_at));
+  }
   if (!surfaces.empty())
-    fmt::print(
-        "\nwhere the error lies                   pixels      mean   largest              share\n");
+    put("\nwhere the error lies                   pixels      mean   largest              share\n");
   for (const render::SurfaceError& e : surfaces)
-    fmt::print("{:<38}{:>7} {:>7.2f} % {:>7.1f} % {:>12} {:>5.1f} %\n", e.surface, e.pixels,
-               100 * e.mean_relative, 100 * e.max_relative,
-               fmt::format("({}, {})", e.max_x, e.max_y), 100 * e.share);
-  if (!options.diff.empty()) fmt::print("\ndifference   {}\n", options.diff);
+    put("{:<38}{:>7} {:>7.2f} % {:>7.1f} % {:>12} {:>5.1f} %\n", e.surface, e.pixels,
+        100 * e.mean_relative, 100 * e.max_relative, fmt::format("({}, {})", e.max_x, e.max_y),
+        100 * e.share);
+  if (!options.diff.empty()) put("\ndifference   {}\n", options.diff);
 }
 
 /// The error by surface when --scene is given, else nothing.
@@ -316,49 +325,53 @@ Result<std::vector<render::SurfaceError>> surface_errors(const Options& options,
 
 Status run(const Options& options) {
   if (!options.diff.empty())
-    if (Status ok = check_place(options.diff); !ok) return ok;
-  Result<Image> a = image::read(options.a);
-  if (!a) return a.error();
-  Result<Image> b = image::read(options.b);
-  if (!b) return b.error();
-  if (Status ok = check_same_size(options.a, *a, options.b, *b); !ok) return ok;
+    if (Status ok = check_places({options.diff}); !ok) return ok;
+  const Result<ComparedPicture> picture_a = read_compared(options.a, options.layer);
+  if (!picture_a) return picture_a.error();
+  const Result<ComparedPicture> picture_b = read_compared(options.b, options.layer);
+  if (!picture_b) return picture_b.error();
+  if (Status ok = check_comparable(*picture_a, *picture_b); !ok) return ok;
+  const Image &a = picture_a->picture.image, &b = picture_b->picture.image;
+  const bool has_colors = image::is_picture(picture_b->picture.layer.kind);
+  if (!has_colors && options.metric == "flip")
+    return Error{fmt::format("{}: holds no colours, so FLIP says nothing; choose another --metric",
+                             picture_b->name)};
 
   std::vector<std::uint8_t> mask;
+  std::string mask_path;
   if (!options.mask.empty()) {
-    Result<Image> picture = image::read(options.mask);
+    const Result<ComparedPicture> picture = read_compared(options.mask, "");
     if (!picture) return picture.error();
-    if (Status ok = check_same_size(options.mask, *picture, options.b, *b); !ok) return ok;
-    mask = mask_from(*picture);
+    if (Status ok = check_same_size(picture->name, picture->picture.image, picture_b->name, b); !ok)
+      return ok;
+    mask = mask_from(picture->picture.image);
+    mask_path = picture->path;
   }
-  for (const std::string& input : {options.a, options.b, options.mask}) {
-    std::error_code ec;
-    if (!options.diff.empty() && std::filesystem::equivalent(options.diff, input, ec))
-      return Error{
-          fmt::format("{}: is an input; give the difference picture another name", options.diff)};
-  }
-  if (image::is_scene_linear_extension(options.a) != image::is_scene_linear_extension(options.b))
-    fmt::print(stderr,
-               "warning: one of {} and {} holds scene-linear radiance, the other displayed "
-               "colours; the numbers compare them in linear light as they are\n",
-               options.a, options.b);
+  const bool linear_a = image::is_scene_linear_extension(picture_a->path);
+  const bool linear_b = image::is_scene_linear_extension(picture_b->path);
+  if (linear_a != linear_b)
+    say("warning: one of {} and {} holds scene-linear radiance, the other displayed "
+        "colours; the numbers compare them in linear light as they are\n",
+        options.a, options.b);
 
   image::MetricOptions metric_options;
   metric_options.mask = mask;
-  const image::Metrics metrics = image::compare(*a, *b, metric_options);
+  const image::Metrics metrics = image::compare(a, b, metric_options);
   if (metrics.pixel_count == 0)
     return Error{fmt::format("{} and {}: no pixel is left to compare ({} masked, {} not finite)",
                              options.a, options.b, metrics.masked_count, metrics.non_finite_count)};
-  const Flip flip = compute_flip(options, *a, *b, mask);
+  const Flip flip = has_colors ? compute_flip(options, linear_a && linear_b, a, b, mask) : Flip{};
+  Result<std::vector<render::SurfaceError>> surfaces = surface_errors(options, a, b, metrics.eps);
+  if (!surfaces) return surfaces.error();
   if (!options.diff.empty()) {
-    const Image picture = make_difference_picture(options, *a, *b, metrics, flip, mask);
+    if (Status ok = check_not_read({options.diff}); !ok) return ok;
+    const Image picture = make_difference_picture(options, a, b, metrics, flip, mask);
     if (Status ok = image::write_png(options.diff, picture); !ok) return ok;
   }
-  Result<std::vector<render::SurfaceError>> surfaces = surface_errors(options, *a, *b, metrics.eps);
-  if (!surfaces) return surfaces.error();
   if (options.json)
-    print_json(options, *a, metrics, flip, *surfaces);
+    print_json(options, *picture_a, *picture_b, metrics, flip, *surfaces);
   else
-    print_table(options, *a, metrics, flip, *surfaces);
+    print_table(options, *picture_a, *picture_b, metrics, flip, *surfaces);
   return Success{};
 }
 
@@ -372,6 +385,9 @@ void add_compare(CLI::App& app, int& exit_code) {
   command->footer(k_footer);
   command->add_option("A", options->a, "Picture to judge (.exr .hdr .png .jpg)")->required();
   command->add_option("B", options->b, "The reference, of the same size")->required();
+  command->add_option("--layer", options->layer,
+                      "The layer of .exr files to compare, of both where the names say none (they "
+                      "may: FILE.exr:LAYER); openltc inspect lists them");
   command->add_flag("--json", options->json, "Print JSON instead of a table");
   command
       ->add_option("--diff", options->diff,
@@ -408,9 +424,9 @@ void add_compare(CLI::App& app, int& exit_code) {
       ->check(CLI::Validator(check_exposure, "EV100|auto"));
   command
       ->add_option("--pixels-per-degree", options->pixels_per_degree,
-                   "For FLIP: how near the viewer sits (default 67: a 0.7 m wide 4K screen at "
-                   "0.7 m)")
-      ->check(CLI::Validator(check_positive, "PPD"));
+                   "For FLIP: how near the viewer sits, 1 to 1000 (default 67: a 0.7 m wide 4K "
+                   "screen at 0.7 m)")
+      ->check(CLI::Validator(check_ppd, "PPD"));
 
   command->callback([options, &exit_code] {
     Status status = Success{};

@@ -6,12 +6,17 @@
 
 #include "cli/choice.h"
 #include "cli/commands.h"
+#include "cli/convert_photometry.h"
+#include "cli/convert_picture.h"
 #include "cli/convert_scene.h"
 #include "cli/fit_job.h"
 #include "cli/lobe_file.h"
+#include "cli/number.h"
 #include "cli/output_place.h"
 #include "cli/shape_options.h"
+#include "openltc/base/message.h"
 #include "openltc/fit/error.h"
+#include "openltc/light/photometry.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
@@ -40,7 +45,13 @@ struct ConvertArguments {
   int size = 0;
   std::string brdf;
   scene::EmissiveOptions emissive;
+  PictureConversion picture;
   bool quiet = false;
+
+  bool asks_for_layout() const { return layout || from_layout || size > 0 || !brdf.empty(); }
+  bool asks_for_picture() const {
+    return !picture.layer.empty() || picture.exposure || picture.tonemap;
+  }
 };
 
 // What the arguments ask of the table, through the native packing where that is needed.
@@ -116,31 +127,53 @@ int convert_polynomial(const ConvertArguments& arguments) {
                 k_exit_usage);
   if (Status status = table::check_polynomial_extension(arguments.output); !status)
     return fail("convert", status.error(), k_exit_usage);
-  if (Status status = check_place(arguments.output); !status)
-    return fail("convert", status.error());
   const Result<table::LobePolynomial> polynomial = table::read_polynomial(arguments.input);
   if (!polynomial) return fail("convert", polynomial.error());
+  if (Status status = check_places({arguments.output}); !status)
+    return fail("convert", status.error());
   if (Status status = table::write_polynomial(*polynomial, arguments.output); !status)
     return fail("convert", status.error());
-  if (!arguments.quiet) fmt::print(stderr, "wrote {}\n", arguments.output);
+  if (!arguments.quiet) say("wrote {}\n", arguments.output);
   return k_exit_ok;
 }
 
 int convert_lights(const ConvertArguments& arguments) {
+  const bool is_scene = is_scene_file(arguments.input);
   const bool asks_for_table = arguments.layout || arguments.from_layout || arguments.precision ||
                               arguments.size > 0 || !arguments.brdf.empty();
   if (asks_for_table)
     return fail("convert",
-                Error{arguments.input + ": holds a scene; --layout, --from-layout, --precision, "
-                                        "--size and --brdf are for tables"});
+                Error{fmt::format("{}: holds {}; --layout, --from-layout, --precision, --size and "
+                                  "--brdf are for tables",
+                                  arguments.input, is_scene ? "a scene" : "photometry")});
   const Status status =
-      convert_scene(arguments.input, arguments.output, arguments.emissive, arguments.quiet);
+      is_scene
+          ? convert_scene(arguments.input, arguments.output, arguments.emissive, arguments.quiet)
+          : convert_photometry(arguments.input, arguments.output, arguments.quiet);
+  return status.ok() ? k_exit_ok : fail("convert", status.error());
+}
+
+int convert_to_picture(const ConvertArguments& arguments) {
+  if (arguments.asks_for_layout())
+    return fail("convert",
+                Error{arguments.input + ": holds a picture; --layout, --from-layout, --size and "
+                                        "--brdf are for tables"},
+                k_exit_usage);
+  PictureConversion picture = arguments.picture;
+  if (arguments.precision == Precision::float16)
+    picture.precision = image::ExrPrecision::half_float;
+  const Status status =
+      convert_picture(arguments.input, arguments.output, picture, arguments.quiet);
   return status.ok() ? k_exit_ok : fail("convert", status.error());
 }
 
 int run_convert(const ConvertArguments& arguments) {
+  const bool asks = arguments.asks_for_picture();
+  if (asks || (!arguments.asks_for_layout() && is_picture_file(arguments.input, arguments.output)))
+    return convert_to_picture(arguments);
   if (is_polynomial_file(arguments.input)) return convert_polynomial(arguments);
-  if (is_scene_file(arguments.input)) return convert_lights(arguments);
+  if (is_scene_file(arguments.input) || light::is_photometric_name(arguments.input))
+    return convert_lights(arguments);
   if (Status status = table::check_packed_extension(arguments.output); !status)
     return fail("convert", status.error(), k_exit_usage);
   const Result<table::PackedTable> read =
@@ -152,9 +185,10 @@ int run_convert(const ConvertArguments& arguments) {
     if (from.metadata.variant.empty())
       from.metadata.variant = brdf::find_brdf(arguments.brdf)->variant;
   }
-  for (const std::string& file :
-       packed_files(arguments.layout.value_or(from.layout), arguments.output))
-    if (Status status = check_place(file); !status) return fail("convert", status.error());
+  if (Status status =
+          check_places(packed_files(arguments.layout.value_or(from.layout), arguments.output));
+      !status)
+    return fail("convert", status.error());
 
   Result<table::PackedTable> to = convert(from, arguments);
   if (!to)
@@ -170,9 +204,9 @@ int run_convert(const ConvertArguments& arguments) {
   if (!written) return fail("convert", written.error());
   if (arguments.quiet) return k_exit_ok;
   for (const std::string& file : *written)
-    fmt::print(stderr, "wrote {}\n", file);
+    say("wrote {}\n", file);
   const std::string note = size_note(*to);
-  if (!note.empty()) fmt::print(stderr, "{}\n", note);
+  if (!note.empty()) say("{}\n", note);
   return k_exit_ok;
 }
 
@@ -181,7 +215,8 @@ int run_convert(const ConvertArguments& arguments) {
 void add_convert(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand(
-      "convert", "Convert a lobe table to another layout, or a scene's lights to EXT_lights_area");
+      "convert", "Convert a lobe table to another layout, a scene's lights to EXT_lights_area, "
+                 "photometric files, or a picture to another format");
   command->footer(
       "The container is that of the extension of OUT: .dds .ktx2 .exr .npy .json, and as source\n"
       ".h (C and C++) .glsl .hlsl .wgsl .js. A table of two textures becomes OUT_1 and OUT_2 in\n"
@@ -191,13 +226,24 @@ void add_convert(CLI::App& app, int& exit_code) {
       "Layouts: native; ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP);\n"
       "godot; o3de. The error is measured again, through the look-up of the new layout.\n"
       "A scene (.gltf .glb) becomes a .glb whose rectangular and round lights, those of emissive\n"
-      "surfaces and of nodes' extras, are EXT_lights_area; everything else stays in it.\n"
+      "surfaces and of nodes' extras, are EXT_lights_area, and those with a photometric file\n"
+      "EXT_lights_ies; everything else stays in it. A photometric file (.ies .ldt) becomes an\n"
+      ".ies of LM-63-2002.\n"
+      "A picture (.exr .hdr .png .jpg) becomes .exr, .hdr or .png. From linear to .png it is "
+      "exposed\n"
+      "and tone-mapped as by render, from .png or .jpg to .exr and .hdr decoded to linear light. "
+      "Of\n"
+      "an .exr one layer is taken, by --layer NAME or FILE.exr:NAME. An .exr that says that it is "
+      "a\n"
+      "table, or is to be made .dds or such, is taken for one.\n"
       "\n"
       "Examples:\n"
       "  openltc convert ggx.json ggx.dds --layout ltc_code\n"
       "  openltc convert ggx.json ggx.ktx2 --layout o3de --size 32\n"
       "  openltc convert ltc_1.dds ltc.exr --from-layout ltc_code --brdf ggx\n"
-      "  openltc convert room.gltf room_lights.glb --recognise-shapes");
+      "  openltc convert room.gltf room_lights.glb --recognise-shapes\n"
+      "  openltc convert blender.exr:ViewLayer.Combined picture.png --exposure 10\n"
+      "  openltc convert lamp.ldt lamp.ies");
   Choices<Layout> layouts;
   for (const Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);
@@ -207,8 +253,10 @@ void add_convert(CLI::App& app, int& exit_code) {
   for (const brdf::Brdf& b : brdf::all_brdfs())
     brdfs.push_back(b.name);
   command
-      ->add_option("input", arguments->input,
-                   "Table: .json .dds .ktx2 .exr .npy; or scene: .gltf .glb")
+      ->add_option(
+          "input", arguments->input,
+          "Table: .json .dds .ktx2 .exr .npy; scene: .gltf .glb; photometry: .ies .ldt; or "
+          "picture: .exr .hdr .png .jpg")
       ->required();
   command->add_option("output", arguments->output, "File to write")->required();
   command
@@ -217,7 +265,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->type_name(words_of(layouts));
   command
       ->add_option("--precision", arguments->precision,
-                   "Numbers to write; as the input if not given")
+                   "Numbers to write; as the input if not given, float32 for pictures")
       ->transform(one_of(precisions))
       ->type_name(words_of(precisions));
   command
@@ -226,10 +274,23 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->transform(one_of(layouts))
       ->type_name(words_of(layouts));
   command
-      ->add_option("--size", arguments->size, "Nodes per axis to write; as the input if not given")
-      ->check(CLI::Range(2, 512));
+      ->add_option("--size", arguments->size,
+                   "Nodes per axis to write, 2 to 512; as the input if not given")
+      ->transform(whole_number(2, 512));
   command->add_option("--brdf", arguments->brdf, "BRDF of a bare texture")
       ->check(CLI::IsMember(brdfs));
+  command->add_option("--layer", arguments->picture.layer,
+                      "Of an .exr, the layer to convert; openltc inspect lists them");
+  command
+      ->add_option("--exposure", arguments->picture.exposure,
+                   "For a .png from .exr or .hdr: EV100, or auto [auto]")
+      ->check(CLI::Validator(check_exposure, "EV100|auto"));
+  const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
+                                            {"aces", image::Tonemap::aces},
+                                            {"none", image::Tonemap::none}};
+  command->add_option("--tonemap", arguments->picture.tonemap, "The same: its tone curve [neutral]")
+      ->transform(one_of(tonemaps))
+      ->type_name(words_of(tonemaps));
   add_shape_options(*command, arguments->emissive);
   command->add_flag("--quiet", arguments->quiet, "No messages on stderr");
   command->callback([arguments, &exit_code] { exit_code = run_convert(*arguments); });

@@ -4,6 +4,8 @@
 #include "cli/convert_scene.h"
 
 #include "cli/output_place.h"
+#include "openltc/base/atomic_file.h"
+#include "openltc/base/message.h"
 #include "openltc/scene/gltf_export.h"
 
 #include <fmt/format.h>
@@ -38,18 +40,24 @@ Status convert_scene(const std::string& input, const std::string& output,
                      const scene::EmissiveOptions& emissive, bool quiet) {
   if (extension_of(output) != ".glb")
     return Error{fmt::format("{}: a scene is written as .glb, not to {}", input, output)};
-  if (Status status = check_place(output); !status) return status.error();
+  if (Status status = check_places({output}); !status) return status.error();
+  FileGroup held; // until it is known what was read
   const Result<scene::ExportReport> report = scene::export_area_lights(input, output, emissive);
   if (!report) return report.error();
+  if (Status status = check_not_read({output}); !status) return status.error();
+  if (Status status = held.commit(); !status) return status.error();
   if (quiet) return Success{};
   for (const std::string& warning : report->warnings)
-    fmt::print(stderr, "warning: {}\n", warning);
+    say("warning: {}\n", warning);
   for (std::size_t i = 0; i < std::min(report->left.size(), k_most_named); ++i)
-    fmt::print(stderr, "note: {}\n", report->left[i]);
+    say("note: {}\n", report->left[i]);
   if (report->left.size() > k_most_named)
-    fmt::print(stderr, "note: and {} more\n", report->left.size() - k_most_named);
-  fmt::print(stderr, "wrote {}, {} light{} as EXT_lights_area\n", output, report->written,
-             report->written == 1 ? "" : "s");
+    say("note: and {} more\n", report->left.size() - k_most_named);
+  say("wrote {}, {} light{} as EXT_lights_area{}\n", output, report->written,
+      report->written == 1 ? "" : "s",
+      report->profiles_written == 0
+          ? ""
+          : fmt::format(", {} as EXT_lights_ies", report->profiles_written));
   return Success{};
 }
 

@@ -7,8 +7,11 @@
 #include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/fit_job.h"
+#include "cli/number.h"
 #include "cli/output_place.h"
+#include "cli/standard_streams.h"
 #include "openltc/base/atomic_file.h"
+#include "openltc/base/message.h"
 #include "openltc/brdf/choose.h"
 #include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
@@ -19,7 +22,6 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <set>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -39,12 +41,12 @@ struct FitArguments {
 
 int list_brdfs() {
   for (const brdf::Brdf& b : brdf::all_brdfs()) {
-    fmt::print("{:<14} {}\n{:14} {}\n", b.name, b.variant, "", b.source);
-    fmt::print("{:14} {}\n", "", b.has_parameter() ? "roughness: " + b.parameter : "no parameter");
+    put("{:<14} {}\n{:14} {}\n", b.name, b.variant, "", b.source);
+    put("{:14} {}\n", "", b.has_parameter() ? "roughness: " + b.parameter : "no parameter");
   }
-  fmt::print("{:<14} a measured material of the MERL database, isotropic; no parameter\n{:14} "
-             "Matusik, Pfister, Brand, McMillan 2003, A Data-Driven Reflectance Model\n",
-             "FILE.binary", "");
+  put("{:<14} a measured material of the MERL database, isotropic; no parameter\n{:14} "
+      "Matusik, Pfister, Brand, McMillan 2003, A Data-Driven Reflectance Model\n",
+      "FILE.binary", "");
   return k_exit_ok;
 }
 
@@ -62,19 +64,6 @@ Status check_report(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension != ".json" && !is_page(path))
     return Error{path + ": a report is written as .json or .html"};
-  return check_place(path);
-}
-
-// Two results under one name: the second would take the place of the first.
-Status check_distinct(const std::vector<std::string>& files) {
-  std::set<std::filesystem::path> seen;
-  for (const std::string& file : files) {
-    std::error_code ec;
-    const std::filesystem::path place = std::filesystem::weakly_canonical(file, ec);
-    if (!seen.insert(ec ? std::filesystem::path(file) : place).second)
-      return Error{file +
-                   ": would be written twice; give each output and report a name of its own"};
-  }
   return Success{};
 }
 
@@ -119,7 +108,7 @@ Result<std::vector<fit::Candidate>> read_candidates(const FitArguments& argument
   }
   if (!arguments.quiet)
     for (const std::string& note : notes)
-      fmt::print(stderr, "{}\n", note);
+      say("{}\n", note);
   return candidates;
 }
 
@@ -168,30 +157,31 @@ int run_fit(const FitArguments& arguments) {
     if (Status status = check_report(path); !status) return fail("fit", status.error());
     files->push_back(path);
   }
-  if (Status status = check_distinct(*files); !status) return fail("fit", status.error());
+  if (Status status = check_places(*files); !status) return fail("fit", status.error());
   const Result<std::vector<fit::Candidate>> others = read_candidates(arguments);
   if (!others) return fail("fit", others.error());
+  if (Status status = check_not_read(*files); !status) return fail("fit", status.error());
 
   const bool terminal = isatty(STDERR_FILENO) != 0 && !arguments.quiet;
   const auto progress = [&](double share) {
     if (!terminal) return;
-    fmt::print(stderr, "\rfitting {}: {:3.0f} % ", brdf->name, share * 100);
-    std::fflush(stderr);
+    say("\rfitting {}: {:3.0f} % ", brdf->name, share * 100);
   };
   Result<FittedLobes> fitted = fit_lobes(*brdf, choices, progress);
-  if (terminal) fmt::print(stderr, "\r{:60}\r", "");
+  if (terminal) say("\r{:60}\r", "");
   if (!fitted) return fail("fit", fitted.error());
   if (!arguments.quiet) {
-    fmt::print(stderr, "fitted {} in {:.3f} s\n", brdf->name, fitted->seconds);
-    if (!fitted->note.empty()) fmt::print(stderr, "{}\n", fitted->note);
-    if (!fitted->warning.empty()) fmt::print(stderr, "{}\n", fitted->warning);
+    say("fitted {} in {:.3f} s\n", brdf->name, fitted->seconds);
+    if (!fitted->note.empty()) say("{}\n", fitted->note);
+    if (!fitted->warning.empty()) say("{}\n", fitted->warning);
   }
   const Result<fit::Report> report = make_fit_report(*brdf, *fitted, *others, arguments);
   if (!report) return fail("fit", report.error());
   state_error(*fitted, report->regions.front().errors.front());
-  fmt::print("{}", fit::to_text(*report));
+  put("{}", fit::to_text(*report));
 
   std::vector<std::string> written;
+  FileGroup together;
   for (const std::string& path : arguments.outputs) {
     const Result<std::vector<std::string>> done = write_lobes(*fitted, path);
     if (!done) return fail("fit", done.error());
@@ -202,12 +192,13 @@ int run_fit(const FitArguments& arguments) {
     if (Status status = write_text(path, text); !status) return fail("fit", status.error());
     written.push_back(path);
   }
+  if (Status status = together.commit(); !status) return fail("fit", status.error());
   if (arguments.quiet) return k_exit_ok;
   for (const std::string& path : written)
-    fmt::print(stderr, "wrote {}\n", path);
+    say("wrote {}\n", path);
   if (const auto* packed = std::get_if<table::PackedTable>(&fitted->stored)) {
     const std::string note = size_note(*packed);
-    if (!note.empty() && !arguments.outputs.empty()) fmt::print(stderr, "{}\n", note);
+    if (!note.empty() && !arguments.outputs.empty()) say("{}\n", note);
   }
   return k_exit_ok;
 }
@@ -245,8 +236,8 @@ void add_fit(CLI::App& app, int& exit_code) {
   command->add_option("--brdf", c.brdf, "BRDF by name (--list), or a MERL file FILE.binary")
       ->capture_default_str();
   command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
-  auto* size = command->add_option("--size", c.size, "Nodes per axis of a table")
-                   ->check(CLI::Range(2, 512))
+  auto* size = command->add_option("--size", c.size, "Nodes per axis of a table, 2 to 512")
+                   ->transform(whole_number(2, 512))
                    ->capture_default_str();
   command
       ->add_option("--objective", c.objective,
@@ -263,10 +254,11 @@ void add_fit(CLI::App& app, int& exit_code) {
   command->add_option("--form", c.form, "Table, or polynomials instead of one [table]")
       ->transform(one_of(forms))
       ->type_name(words_of(forms));
-  auto* degree = command->add_option("--degree", c.degree, "Total degree of the polynomials")
-                     ->check(CLI::Range(table::LobePolynomial::k_min_degree,
-                                        table::LobePolynomial::k_max_degree))
-                     ->capture_default_str();
+  auto* degree =
+      command->add_option("--degree", c.degree, "Total degree of the polynomials, 3 to 6")
+          ->transform(whole_number(table::LobePolynomial::k_min_degree,
+                                   table::LobePolynomial::k_max_degree))
+          ->capture_default_str();
   Choices<table::Layout> layouts;
   for (const table::Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);

@@ -3,7 +3,6 @@
 
 #include "cli/fit_job.h"
 
-#include "cli/output_place.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
@@ -165,8 +164,6 @@ Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const Fit
       return Error{fmt::format("{}: C++ source of the built-in is for lobes that narrow with "
                                "roughness, not for {}; .h holds any",
                                path, brdf.name)};
-    for (const std::string& file : files)
-      if (Status status = check_place(file); !status) return status.error();
     all.insert(all.end(), files.begin(), files.end());
   }
   return all;

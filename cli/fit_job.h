@@ -58,8 +58,8 @@ std::string shell_word(const std::string& path);
 /// Whether the extension of every path is one that lobes of this form are written with.
 Status check_extensions(const FitChoices& choices, const std::vector<std::string>& paths);
 
-/// Whether every file, of an extension that is known, can be written in this form and layout, and
-/// where it would lie. Before the work. Gives the files that would be written.
+/// Whether every file, of an extension that is known, can be written in this form and layout.
+/// Before the work. Gives the files that would be written, whose places are not looked at.
 Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitChoices& choices,
                                                const std::vector<std::string>& paths);
 

@@ -34,8 +34,11 @@ Result<Description> inspect_polynomial(const std::string& path);
 /// An .exr: a table when its attributes say so or NAME_1.exr and NAME_2.exr of one small size lie
 /// side by side, a picture otherwise.
 Result<Description> inspect_exr(const std::string& path);
-/// A picture, .exr .hdr .png .jpg: size, layers, range of each channel, exposure.
-Result<Description> inspect_picture(const std::string& path);
+/// A picture, .exr .hdr .png .jpg: size, parts and layers, range of each channel, exposure. Of one
+/// layer only if it is named.
+Result<Description> inspect_picture(const std::string& path, const std::string& layer = "");
+/// A photometric file, .ies .ldt: flux, peak, angles, symmetry, opening, what it states.
+Result<Description> inspect_photometry(const std::string& path);
 /// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, animations, warnings.
 Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive,
                                   const scene::PoseOptions& pose);

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
+#include "cli/finite_numbers.h"
+#include "cli/standard_streams.h"
+#include "openltc/base/ending.h"
+#include "openltc/base/file_place.h"
+#include "openltc/base/message.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -27,14 +32,18 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   return fmt::format("{0}: {1}; see {0} --help\n", command, what);
 }
 
-} // namespace
-
-int openltc::cli::fail(const std::string& command, const Error& error, ExitCode code) {
-  fmt::print(stderr, "openltc {}: {}\n", command, error.message);
-  return code;
+// An empty argument is a variable that a script forgot to fill, not an option that was left out.
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (option->get_items_expected_max() > 0)
+      option->transform(CLI::Validator(
+          [](std::string& text) { return std::string(text.empty() ? "must not be empty" : ""); },
+          ""));
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    refuse_empty_values(*command);
 }
 
-int main(int argc, char** argv) {
+int run_command(int argc, char** argv) {
   CLI::App app{"OpenLTC: physically based area lights, noise-free.\n"
                "Closed-form shading with linearly transformed cosines (LTC), proved against a "
                "reference."};
@@ -50,18 +59,43 @@ int main(int argc, char** argv) {
   openltc::cli::add_inspect(app, exit_code);
   openltc::cli::add_convert(app, exit_code);
   openltc::cli::add_plot(app, exit_code);
+  refuse_empty_values(app);
+  openltc::cli::require_finite_numbers(app);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const int code = app.exit(e);
+    // Not std::cout and std::cerr, which do not say why they fail.
+    std::ostringstream out, err;
+    const int code = app.exit(e, out, err);
+    openltc::cli::put_text(out.str());
+    openltc::say_text(err.str());
     return code == 0 ? openltc::cli::k_exit_ok : openltc::cli::k_exit_usage;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "openltc: not enough memory for this job\n");
-    return openltc::cli::k_exit_failed;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "openltc: {}\n", e.what());
-    return openltc::cli::k_exit_failed;
   }
   return exit_code;
+}
+
+int run_guarded(int argc, char** argv) {
+  try {
+    return run_command(argc, argv);
+  } catch (const std::bad_alloc&) {
+    openltc::say_text("openltc: not enough memory for this job\n");
+  } catch (const std::exception& e) {
+    openltc::say("openltc: {}\n", e.what());
+  }
+  return openltc::cli::k_exit_failed;
+}
+
+} // namespace
+
+int openltc::cli::fail(const std::string& command, const Error& error, ExitCode code) {
+  say("openltc {}: {}\n", command, error.message);
+  return code;
+}
+
+int main(int argc, char** argv) {
+  openltc::cli::open_standard_streams();
+  openltc::end_cleanly_on_signals();
+  openltc::remember_inputs();
+  return openltc::cli::finish_standard_output(run_guarded(argc, argv));
 }

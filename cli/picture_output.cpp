@@ -11,7 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <set>
+#include <utility>
 
 namespace openltc::cli {
 
@@ -43,28 +43,36 @@ std::vector<std::string> output_files(const std::string& path, bool with_standar
   return files;
 }
 
+std::vector<std::string> all_output_files(const std::vector<std::string>& paths,
+                                          bool with_standard_error) {
+  std::vector<std::string> all;
+  for (const std::string& path : paths)
+    for (std::string& file : output_files(path, with_standard_error))
+      all.push_back(std::move(file));
+  return all;
+}
+
 Status check_outputs(const std::vector<std::string>& paths, bool with_standard_error) {
-  std::set<fs::path> seen;
-  for (const std::string& path : paths) {
+  for (const std::string& path : paths)
     if (!image::is_writable_extension(path))
       return Error{fmt::format("{}: unknown kind of picture; use .exr, .hdr or .png", path)};
-    for (const std::string& file : output_files(path, with_standard_error)) {
-      if (Status status = check_place(file); !status.ok()) return status;
-      std::error_code ec;
-      if (!seen.insert(fs::weakly_canonical(file, ec)).second)
-        return Error{
-            fmt::format("{}: would be written twice; give each -o a name of its own", file)};
-    }
-  }
-  return Success{};
+  return check_places(all_output_files(paths, with_standard_error));
+}
+
+Status check_ev100(float ev100) {
+  const float exposure = image::exposure_from_ev100(ev100);
+  if (exposure > 0 && std::isfinite(exposure)) return Success{};
+  return Error{fmt::format("--exposure {}: out of range", ev100)};
 }
 
 Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display) {
-  if (!display.ev100) return image::auto_exposure(radiance);
-  const float exposure = image::exposure_from_ev100(*display.ev100);
-  if (!(exposure > 0) || !std::isfinite(exposure))
-    return Error{fmt::format("--exposure {}: out of range", *display.ev100)};
-  return exposure;
+  image::AutoExposureOptions options;
+  options.light = display.light_nits;
+  if (!display.ev100 && display.usual_exposure > 0)
+    return image::exposure_below_white(radiance, display.usual_exposure, options);
+  if (!display.ev100) return image::auto_exposure(radiance, options);
+  if (Status status = check_ev100(*display.ev100); !status) return status.error();
+  return image::exposure_from_ev100(*display.ev100);
 }
 
 Status write_picture(const std::string& path, const image::Image& radiance,

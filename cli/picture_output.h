@@ -9,6 +9,7 @@
 #include "openltc/image/file.h"
 #include "openltc/image/tonemap.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,11 @@ namespace openltc::cli {
 
 struct DisplayOptions {
   std::optional<float> ev100; ///< none = chosen from the picture
+  /// Without ev100: the factor from nits that suits the light, lowered where highlights would be
+  /// above white; 0 = not known, all is chosen from the picture.
+  float usual_exposure = 0;
+  /// Nits from which a pixel shows a light; infinity = not known.
+  float light_nits = std::numeric_limits<float>::infinity();
   image::Tonemap tonemap = image::Tonemap::neutral;
 };
 
@@ -27,9 +33,15 @@ std::string default_output(const std::string& scene);
 /// when there is a standard error.
 std::vector<std::string> output_files(const std::string& path, bool with_standard_error);
 
-/// Whether pictures can be written to these paths: known extensions, existing and writable folders,
-/// no file meant twice.
+/// Those of several.
+std::vector<std::string> all_output_files(const std::vector<std::string>& paths,
+                                          bool with_standard_error);
+
+/// Whether pictures can be written to these paths: known extensions, and check_places.
 Status check_outputs(const std::vector<std::string>& paths, bool with_standard_error);
+
+/// Whether an exposure has a factor that is a number; to be asked before the work.
+Status check_ev100(float ev100);
 
 /// Factor from nits to display-linear values.
 Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display);

@@ -8,6 +8,8 @@
 #include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/output_place.h"
+#include "openltc/base/atomic_file.h"
+#include "openltc/base/message.h"
 #include "openltc/brdf/choose.h"
 #include "openltc/plot/output.h"
 
@@ -15,7 +17,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <set>
 
 namespace openltc::cli {
 
@@ -49,27 +50,28 @@ int fail_plot(const PlotOutput& output, const Error& error) {
 int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure>()>& make) {
   std::vector<std::string> paths = output.paths;
   if (paths.empty()) paths.push_back(output.what + ".svg");
-  std::set<std::string> distinct;
   for (const std::string& path : paths) {
     if (Status ok = plot::check_extension(path); !ok) {
       fail_plot(output, ok.error());
       return k_exit_usage;
     }
-    if (Status ok = check_place(path); !ok) return fail_plot(output, ok.error());
-    if (!distinct.insert(path).second)
-      return fail_plot(output, Error{fmt::format("{}: named twice", path)});
   }
+  if (Status ok = check_places(paths); !ok) return fail_plot(output, ok.error());
   const Result<plot::Figure> figure = make();
   if (!figure) {
     const int failed = fail_plot(output, figure.error());
     // What names an option first is wrong usage.
     return figure.error().message.rfind("--", 0) == 0 ? k_exit_usage : failed;
   }
-  for (const std::string& path : paths) {
+  if (Status ok = check_not_read(paths); !ok) return fail_plot(output, ok.error());
+  FileGroup together;
+  for (const std::string& path : paths)
     if (Status ok = plot::write_figure(path, *figure, output.theme, output.scale); !ok)
       return fail_plot(output, ok.error());
-    if (!output.quiet) fmt::print(stderr, "wrote {}\n", path);
-  }
+  if (Status ok = together.commit(); !ok) return fail_plot(output, ok.error());
+  if (!output.quiet)
+    for (const std::string& path : paths)
+      say("wrote {}\n", path);
   return k_exit_ok;
 }
 
@@ -80,8 +82,8 @@ Result<brdf::Brdf> brdf_of_option(const std::string& name_or_path) {
 }
 
 void add_plot(CLI::App& app, int& exit_code) {
-  CLI::App* plot =
-      app.add_subcommand("plot", "Draw figures: lobes, fits, polygons, errors, one point light");
+  CLI::App* plot = app.add_subcommand(
+      "plot", "Draw figures: lobes, fits, polygons, errors, point lights, luminaires");
   plot->footer("Every figure is written as .svg or .png; openltc plot WHAT --help says what it "
                "shows.\n"
                "\n"
@@ -95,6 +97,7 @@ void add_plot(CLI::App& app, int& exit_code) {
   add_plot_literal(*plot, exit_code);
   add_plot_fit(*plot, exit_code);
   add_plot_point(*plot, exit_code);
+  add_plot_photometry(*plot, exit_code);
 }
 
 } // namespace openltc::cli

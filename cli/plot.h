@@ -41,6 +41,7 @@ void add_plot_error(CLI::App& plot, int& exit_code);
 void add_plot_fit(CLI::App& plot, int& exit_code);
 void add_plot_literal(CLI::App& plot, int& exit_code);
 void add_plot_lobes(CLI::App& plot, int& exit_code);
+void add_plot_photometry(CLI::App& plot, int& exit_code);
 void add_plot_point(CLI::App& plot, int& exit_code);
 void add_plot_polygon(CLI::App& plot, int& exit_code);
 

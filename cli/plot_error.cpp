@@ -6,6 +6,7 @@
 #include "cli/against.h"
 #include "cli/fit_job.h"
 #include "cli/plot.h"
+#include "openltc/base/message.h"
 #include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/error_figure.h"
@@ -13,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 
@@ -52,7 +52,7 @@ Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const ErrorArgu
   if (table || what == k_builtin_polynomial) {
     if (arguments.brdf != "ggx")
       return Error{fmt::format("the built-in {0} is of ggx, not of {1}; openltc fit --brdf {2} -o "
-                               "FILE makes one of {1}, for --table FILE",
+                               "FILE makes one of {1}; openltc plot error --table FILE draws it",
                                what, arguments.brdf, shell_word(arguments.brdf))};
     if (table) {
       const table::LobeTable& own = table::builtin_ggx_table();
@@ -66,7 +66,7 @@ Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const ErrorArgu
   std::string note;
   const Result<fit::Candidate> read = read_candidate(what, note);
   if (!read) return read.error();
-  if (!note.empty() && !arguments.output.quiet) fmt::print(stderr, "{}\n", note);
+  if (!note.empty() && !arguments.output.quiet) say("{}\n", note);
   return fit::MeasuredLobes{read->label, read->lobes, read->horizon};
 }
 

@@ -7,11 +7,11 @@
 #include "cli/commands.h"
 #include "cli/fit_job.h"
 #include "cli/plot.h"
+#include "openltc/base/message.h"
 #include "openltc/plot/fit_figure.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
 namespace openltc::cli {
@@ -56,7 +56,7 @@ Result<plot::Figure> make_figure(const FitPlotArguments& a) {
     std::string note;
     const Result<fit::Candidate> read = read_candidate(a.table, note);
     if (!read) return read.error();
-    if (!note.empty() && !a.output.quiet) fmt::print(stderr, "{}\n", note);
+    if (!note.empty() && !a.output.quiet) say("{}\n", note);
     options.lobes = {read->label, read->lobes, read->horizon};
     return plot::make_fit_figure(options);
   }

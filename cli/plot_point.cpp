@@ -8,6 +8,7 @@
 #include "cli/fit_job.h"
 #include "cli/lobe_file.h"
 #include "cli/plot.h"
+#include "openltc/base/message.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/point_figure.h"
 
@@ -57,7 +58,7 @@ Result<plot::Figure> make_figure(const PointArguments& a, bool f0_given) {
   if (!read) return read.error();
   if (!a.output.quiet)
     for (const std::string& note : notes)
-      fmt::print(stderr, "warning: {}\n", note);
+      say("warning: {}\n", note);
   options.label = std::filesystem::path(a.table).filename().string();
   return std::visit(
       [&](const auto& lobes) {

@@ -7,11 +7,16 @@
 #include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/lobe_file.h"
+#include "cli/number.h"
+#include "cli/output_place.h"
 #include "cli/picture_output.h"
 #include "cli/pose_options.h"
 #include "cli/shape_options.h"
-#include "openltc/base/progress.h"
+#include "cli/standard_streams.h"
+#include "openltc/base/atomic_file.h"
+#include "openltc/base/message.h"
 #include "openltc/render/renderer.h"
+#include "openltc/render/studio_room.h"
 #include "openltc/scene/gltf.h"
 #include "openltc/scene/studio.h"
 
@@ -22,6 +27,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -69,8 +75,10 @@ constexpr float k_largest_half = 65504;
 // Behind what a studio rig lights: dark enough to set it off, bright enough to show dark outlines.
 // Relative to a white card of 1 nit.
 constexpr float k_studio_background_nits = 0.07f;
-// Brings that card just to white; the neutral tone curve keeps what the fill light adds.
+// Brings that card just to white; what the fill light adds may lower it.
 constexpr float k_studio_exposure = 1.2f;
+// No white paper gets as bright by the three soft boxes together: mirror images of them.
+constexpr float k_studio_light_nits = 2.0f;
 
 std::optional<float> parse_float(std::string_view text) {
   float value = 0;
@@ -123,7 +131,8 @@ struct LightsChosen {
 };
 
 /// Leaves in `scene` the lights that `choice` asks for.
-LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene::Camera& camera) {
+Result<LightsChosen> choose_lights(scene::Scene& scene, LightChoice choice,
+                                   const scene::Camera& camera) {
   LightsChosen chosen;
   if (choice == LightChoice::automatic) {
     choice = LightChoice::scene;
@@ -144,10 +153,13 @@ LightsChosen choose_lights(scene::Scene& scene, LightChoice choice, const scene:
     level = scene::white_level_nits(scene.lights, scene.bounds);
   else
     chosen.studio_level = true;
-  const light::Lights studio =
-      scene::studio_lights(scene.bounds, camera, level > 0 && std::isfinite(level) ? level : 1.0);
+  const Result<light::Lights> studio =
+      render::studio_for(scene, camera, level > 0 && std::isfinite(level) ? level : 1.0);
+  if (!studio) return studio.error();
+  if (studio->polygons.size() == 1 && !chosen.message.empty())
+    chosen.message += "; walls keep it out, so it is a soft box under the ceiling";
   auto& polygons = scene.lights.polygons;
-  polygons.insert(polygons.end(), studio.polygons.begin(), studio.polygons.end());
+  polygons.insert(polygons.end(), studio->polygons.begin(), studio->polygons.end());
   return chosen;
 }
 
@@ -196,6 +208,8 @@ int run_render(const RenderArguments& arguments) {
                   Error{fmt::format("--exposure {}: write \"auto\" or an EV100 such as 12.5",
                                     arguments.exposure)},
                   k_exit_usage);
+    if (Status status = check_ev100(*display.ev100); !status)
+      return fail("render", status.error(), k_exit_usage);
   }
   options.integrator = arguments.integrator;
   const bool reference = options.integrator == render::Integrator::reference;
@@ -222,9 +236,8 @@ int run_render(const RenderArguments& arguments) {
                           arguments.lobes ? "--lobes" : "--table")},
         k_exit_usage);
   if (reference && !has_standard_error && !arguments.quiet)
-    fmt::print(stderr, "warning: one sample per pixel has no standard error; it is left out\n");
+    say("warning: one sample per pixel has no standard error; it is left out\n");
 
-  catch_interrupts();
   const auto load_start = std::chrono::steady_clock::now();
   Result<scene::Scene> loaded =
       scene::load_gltf(arguments.scene, arguments.emissive, arguments.pose);
@@ -239,58 +252,63 @@ int run_render(const RenderArguments& arguments) {
   if (!camera) return fail("render", camera.error());
   if (!size_given && camera->aspect > 0)
     options.width = int(std::clamp(float(options.height) * camera->aspect + 0.5f, 16.0f, 8192.0f));
-  const LightsChosen lights = choose_lights(scene, arguments.lights, *camera);
-  if (lights.studio_level) {
+  const Result<LightsChosen> lights = choose_lights(scene, arguments.lights, *camera);
+  if (!lights) return fail("render", lights.error());
+  if (lights->studio_level) {
     if (!background_given) options.background = Vec3f(k_studio_background_nits);
-    if (arguments.exposure == "auto") display.ev100 = image::ev100_from_exposure(k_studio_exposure);
+    display.usual_exposure = k_studio_exposure;
   }
+
+  display.light_nits =
+      lights->studio_level ? k_studio_light_nits : scene::least_nits_of_lights(scene.lights);
 
   ShadingLobes own_lobes;
   const Result<render::LobeSource> lobes = choose_lobes(arguments, own_lobes, scene.warnings);
   if (!lobes) return fail("render", lobes.error());
+  const std::vector<std::string> files = all_output_files(arguments.outputs, has_standard_error);
+  if (Status status = check_not_read(files); !status.ok()) return fail("render", status.error());
 
   if (!arguments.quiet) {
     for (const std::string& warning : scene.warnings)
-      fmt::print(stderr, "warning: {}\n", warning);
+      say("warning: {}\n", warning);
     std::size_t triangles = 0;
     for (const scene::Mesh& mesh : scene.meshes)
       triangles += mesh.triangles.size();
-    fmt::print(stderr, "{}: {} triangles, {} area and {} punctual lights, loaded in {:.2f} s\n",
-               arguments.scene, triangles, scene.lights.area_light_count(),
-               scene.lights.punctual.size(), load_seconds);
-    if (!lights.message.empty()) fmt::print(stderr, "{}\n", lights.message);
-    if (scene.lights.empty())
-      fmt::print(stderr, "warning: the scene has no light; --lights studio adds one\n");
+    say("{}: {} triangles, {} area and {} punctual lights, loaded in {:.2f} s\n", arguments.scene,
+        triangles, scene.lights.area_light_count(), scene.lights.punctual.size(), load_seconds);
+    if (!lights->message.empty()) say("{}\n", lights->message);
+    if (scene.lights.empty()) say("warning: the scene has no light; --lights studio adds one\n");
   }
 
   Result<render::Picture> picture = render::render(scene, *camera, *lobes, options);
   if (!picture) return fail("render", picture.error());
   if (!arguments.quiet)
     for (const std::string& warning : picture->warnings)
-      fmt::print(stderr, "warning: {}\n", warning);
+      say("warning: {}\n", warning);
 
   Result<float> exposure = resolve_exposure(picture->radiance, display);
   if (!exposure) return fail("render", exposure.error());
   const image::Image* standard_error = has_standard_error ? &picture->standard_error : nullptr;
   const auto precision =
       arguments.half ? image::ExrPrecision::half_float : image::ExrPrecision::full_float;
+  FileGroup together;
   for (const std::string& output : arguments.outputs) {
     const Status status = write_picture(output, picture->radiance, standard_error, *exposure,
                                         display.tonemap, precision);
     if (!status.ok()) return fail("render", status.error());
-    if (!arguments.quiet)
-      for (const std::string& file : output_files(output, has_standard_error))
-        fmt::print(stderr, "wrote {}\n", file);
   }
+  if (Status status = together.commit(); !status.ok()) return fail("render", status.error());
+  if (!arguments.quiet)
+    for (const std::string& file : files)
+      say("wrote {}\n", file);
   if (arguments.half && !arguments.quiet) {
     const auto& values = picture->radiance.data;
     const auto above =
         std::count_if(values.begin(), values.end(), [](float v) { return v > k_largest_half; });
     if (above > 0)
-      fmt::print(stderr,
-                 "warning: {} values are above {}, the largest that half precision holds, and were "
-                 "cut; write .exr without --half to keep them\n",
-                 above, k_largest_half);
+      say("warning: {} values are above {}, the largest that half precision holds, and were "
+          "cut; write .exr without --half to keep them\n",
+          above, k_largest_half);
   }
 
   if (arguments.json) {
@@ -314,11 +332,11 @@ int run_render(const RenderArguments& arguments) {
     };
     // A path may hold any bytes; they must not break the output.
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    fmt::print("{}\n", report.dump(2, ' ', false, replace));
+    put("{}\n", report.dump(2, ' ', false, replace));
   } else if (!arguments.quiet) {
-    fmt::print(stderr, "{}x{}, {} samples per pixel, {}: {:.2f} s; EV100 {:.2f}\n", options.width,
-               options.height, options.samples, picture->kernel, picture->render_seconds,
-               double(image::ev100_from_exposure(*exposure)));
+    say("{}x{}, {} samples per pixel, {}: {:.2f} s; EV100 {:.2f}\n", options.width, options.height,
+        options.samples, picture->kernel, picture->render_seconds,
+        double(image::ev100_from_exposure(*exposure)));
   }
   return k_exit_ok;
 }
@@ -361,14 +379,14 @@ void add_render(CLI::App& app, int& exit_code) {
   command
       ->add_option("--samples", a.samples,
                    "Camera samples per pixel [8; reference 256, each with one light sample]")
-      ->check(CLI::Range(1, 1 << 20).description(""))
+      ->transform(whole_number(1, 1 << 20))
       ->type_name("N");
   command
       ->add_option(
           "--shadow-samples", a.shadow_samples,
           "Shadow rays per pixel and area light, at least one for each camera sample; 0 turns "
           "all shadows off")
-      ->check(CLI::Range(0, 4096).description(""))
+      ->transform(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command
@@ -377,7 +395,7 @@ void add_render(CLI::App& app, int& exit_code) {
                    "from that of all lights one by one, as a fraction of the view's light level "
                    "(the median of what surfaces in view reflect, without shadows). Within it, "
                    "lights are left out or taken in groups; 0 shades all")
-      ->check(CLI::Range(0.0f, 1.0f).description(""))
+      ->check(number(0, 1))
       ->type_name("FRACTION")
       ->capture_default_str();
   const Choices<render::PixelFilter> filters = {
@@ -410,8 +428,10 @@ void add_render(CLI::App& app, int& exit_code) {
   add_shape_options(*command, a.emissive);
   add_pose_options(*command, a.pose);
   command
-      ->add_option("--camera", a.camera,
-                   "Camera by name or number from 0; \"frame\" shows the whole scene [the first]")
+      ->add_option(
+          "--camera", a.camera,
+          "Camera by name or number from 0; \"frame\" shows what the scene is of, without its "
+          "ground and sky, from where most of it is seen [the first]")
       ->type_name("NAME|N|frame");
   command->add_option("--size", a.size, "WIDTHxHEIGHT in pixels [height 720, the camera's aspect]")
       ->type_name("WxH");
@@ -421,8 +441,10 @@ void add_render(CLI::App& app, int& exit_code) {
                    "studio rig alone 0.07, a dark grey]")
       ->type_name("NITS");
   command
-      ->add_option("--exposure", a.exposure,
-                   "EV100 or \"auto\", from the picture or for the studio rig; for .png only")
+      ->add_option(
+          "--exposure", a.exposure,
+          "EV100 or \"auto\", from the picture or for the studio rig, 99 % of the pixels below "
+          "white; for .png only")
       ->capture_default_str()
       ->type_name("EV100|auto");
   const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
@@ -450,12 +472,13 @@ void add_render(CLI::App& app, int& exit_code) {
           "[built-in GGX]")
       ->type_name("FILE");
   command->add_option("--seed", a.seed, "Seed of the sampling")
+      ->transform(whole_number(0, std::numeric_limits<std::uint32_t>::max()))
       ->capture_default_str()
       ->type_name("N");
   command
       ->add_option("--threads", a.threads,
                    "Threads, 0 for all cores; the picture is the same for any number")
-      ->check(CLI::Range(0, 4096).description(""))
+      ->transform(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command

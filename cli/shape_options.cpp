@@ -3,6 +3,8 @@
 
 #include "cli/shape_options.h"
 
+#include "cli/number.h"
+
 namespace openltc::cli {
 
 void add_shape_options(CLI::App& command, scene::EmissiveOptions& options) {
@@ -13,7 +15,7 @@ void add_shape_options(CLI::App& command, scene::EmissiveOptions& options) {
   command
       .add_option("--shape-tolerance", options.shape_tolerance,
                   "By how much their facets may leave the shape, relative to its diameter")
-      ->check(CLI::Range(0.0, 0.1).description(""))
+      ->check(number(0, 0.1))
       ->type_name("FRACTION")
       ->capture_default_str();
 }

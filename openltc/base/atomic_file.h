@@ -1,26 +1,49 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Writing a file so that it is either complete or not there.
+// Writing files so that they are either complete or not there, and several together.
 
 #pragma once
 
 #include "openltc/base/result.h"
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace openltc {
 
-/// Calls `write` with a temporary path in the same folder as `path` and the same extension, then
-/// renames it to `path`. When `write` fails, throws or the process is interrupted through the
-/// handlers of this module, the temporary file is removed and an existing `path` is left as it was.
-/// The error names `path`.
+/// Calls `write` with the path of a temporary file, whose name and extension say nothing, and then
+/// makes that file `path`. When `write` fails, throws or writes nothing, or the process ends, an
+/// existing `path` is left as it was and nothing else stays; where the file system has no files
+/// without a name (NFS, FAT), SIGKILL and a power failure leave the hidden .NAME.PID-N.part.
+///
+/// A symbolic link is followed and stays; an existing file keeps its permission bits, access list
+/// and, as far as the system lets us, owner and group. Into a pipe or a character device the bytes
+/// are copied once they are complete. The error names `path`.
 Status write_atomically(const std::string& path,
                         const std::function<Status(const std::string& temporary)>& write);
 
-/// Removes the temporary files that are being written at this moment. Safe to call from a signal
-/// handler.
-void remove_temporary_files() noexcept;
+/// While it lives, what this thread writes by write_atomically only gets ready; commit() then lets
+/// all files change together. Without it, none changes. One inside another hands over to it.
+class FileGroup {
+public:
+  FileGroup();
+  ~FileGroup();
+  FileGroup(const FileGroup&) = delete;
+  FileGroup& operator=(const FileGroup&) = delete;
+
+  /// All files in the order in which they were written, pipes and devices first. If one fails,
+  /// those before it are put back, and the error names it. Signals wait meanwhile.
+  Status commit();
+
+private:
+  friend Status write_atomically(const std::string&,
+                                 const std::function<Status(const std::string&)>&);
+  struct Member;
+  std::vector<std::unique_ptr<Member>> members_;
+  FileGroup* outer_ = nullptr;
+};
 
 } // namespace openltc

@@ -3,28 +3,16 @@
 
 #include "openltc/base/progress.h"
 
-#include "openltc/base/atomic_file.h"
+#include "openltc/base/message.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
-#include <cstdio>
 #include <unistd.h>
 
 namespace openltc {
 
 namespace {
-
-volatile std::sig_atomic_t g_interrupted = 0;
-
-void on_interrupt(int) {
-  if (g_interrupted) {
-    remove_temporary_files();
-    _exit(130);
-  }
-  g_interrupted = 1;
-}
 
 std::string duration(double seconds) {
   if (seconds < 60) return fmt::format("{:.1f} s", seconds);
@@ -34,13 +22,6 @@ std::string duration(double seconds) {
 }
 
 } // namespace
-
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-}
-
-bool interrupted() { return g_interrupted != 0; }
 
 Progress::Progress(std::string label, std::int64_t total, bool quiet)
     : label_(std::move(label)), total_(std::max<std::int64_t>(total, 1)), quiet_(quiet),
@@ -73,19 +54,18 @@ void Progress::print(std::int64_t done, bool last) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const double part = std::min(double(done) / double(total_), 1.0);
   if (last) {
-    fmt::print(stderr, "{}{}: {} in {}{}\n", terminal_ ? "\r" : "", label_,
-               done >= total_ ? "done" : "stopped", duration(elapsed), terminal_ ? "\033[K" : "");
+    say("{}{}: {} in {}{}\n", terminal_ ? "\r" : "", label_, done >= total_ ? "done" : "stopped",
+        duration(elapsed), terminal_ ? "\033[K" : "");
   } else {
     const double left = part > 0 ? elapsed * (1 - part) / part : 0;
     if (terminal_) {
       const int filled = int(part * 30);
-      fmt::print(stderr, "\r{} [{:=<{}}{:>{}}] {:3.0f} %, {} left\033[K", label_, "", filled, "",
-                 30 - filled, 100 * part, duration(left));
+      say("\r{} [{:=<{}}{:>{}}] {:3.0f} %, {} left\033[K", label_, "", filled, "", 30 - filled,
+          100 * part, duration(left));
     } else {
-      fmt::print(stderr, "{}: {:.0f} %, about {} left\n", label_, 100 * part, duration(left));
+      say("{}: {:.0f} %, about {} left\n", label_, 100 * part, duration(left));
     }
   }
-  std::fflush(stderr);
 }
 
 } // namespace openltc

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Progress of a long job on stderr, and the user's wish to end it.
+// Progress of a long job on stderr.
 
 #pragma once
 
@@ -36,12 +36,5 @@ private:
   std::chrono::steady_clock::time_point start_, last_print_;
   int quarter_ = 0;
 };
-
-/// Catches SIGINT and SIGTERM from now on: the first asks jobs to stop, the second ends the process
-/// at once after removing temporary files.
-void catch_interrupts();
-
-/// Whether the user has asked to stop. Long jobs test it and return an Error.
-bool interrupted();
 
 } // namespace openltc

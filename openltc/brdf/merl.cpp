@@ -24,6 +24,7 @@
 
 #include "openltc/brdf/merl.h"
 
+#include "openltc/base/regular_file.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>
@@ -33,7 +34,6 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <system_error>
 #include <vector>
@@ -260,19 +260,10 @@ Result<Brdf> parse_merl(std::span<const std::uint8_t> bytes, const std::string& 
 }
 
 Result<Brdf> read_merl(const std::string& path) {
-  std::error_code ec;
-  if (std::filesystem::is_directory(path, ec)) return failure(path, "is a folder, not a file");
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) return failure(path, "cannot open; does it exist and may it be read?");
-  const std::streamoff size = file.tellg();
-  if (size < 0) return failure(path, "cannot tell its size; is it a plain file?");
-  if (size > std::streamoff(k_header_bytes) + 24 * k_max_directions)
-    return failure(path, fmt::format("{} bytes are more than any MERL file has", size));
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-  file.seekg(0);
-  file.read(reinterpret_cast<char*>(bytes.data()), size);
-  if (file.gcount() != size) return failure(path, "cannot be read to its end");
-  return parse_merl(bytes, path);
+  const Result<std::vector<std::uint8_t>> bytes =
+      read_regular_file(path, k_header_bytes + 24 * std::uint64_t(k_max_directions));
+  if (!bytes) return bytes.error();
+  return parse_merl(*bytes, path);
 }
 
 } // namespace openltc::brdf

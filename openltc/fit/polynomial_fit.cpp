@@ -160,7 +160,8 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
     const JointFit balanced = fit_jointly(samples->joint, mirror, joint);
     if (!std::isfinite(balanced.objective))
       return Error{fmt::format("brdf {}: no polynomial of degree {} keeps its lobes from turning "
-                               "inside out; try a higher --degree or a table",
+                               "inside out; openltc fit --degree asks for a higher one, and a "
+                               "table has none",
                                brdf.name, options.degree)};
     mirror = balanced.unknowns;
     JointFitOptions own = joint;
@@ -174,7 +175,7 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   if (!(result.certificate.lower_bound > 0))
     return Error{
         fmt::format("brdf {}: polynomials of degree {} could not be certified, A D - w B C "
-                    "reaches {:.2e}; try another --degree or a table",
+                    "reaches {:.2e}; openltc fit --degree asks for another, and a table needs none",
                     brdf.name, options.degree, result.certificate.smallest_seen)};
   result.polynomial.metadata.brdf = brdf.name;
   result.polynomial.metadata.variant = brdf.variant;

@@ -232,7 +232,8 @@ Status check_lobes(const brdf::Brdf& brdf, const LobeTable& t) {
       if (!(m.x * m.w - width * m.y * m.z > 0))
         return Error{fmt::format(
             "brdf {}: the lobes of neighbouring nodes do not interpolate near roughness {:.3f}, "
-            "theta {:.1f} degrees; try another --size, --objective balanced or --refine",
+            "theta {:.1f} degrees; openltc fit --size, --objective "
+            "balanced and --refine change them",
             brdf.name, x, std::acos(cosine_at(y, t.angle_axis)) * 180 / f64::k_pi)};
     }
   }

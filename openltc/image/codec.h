@@ -30,6 +30,13 @@ Result<Samples> decode_png(std::span<const std::uint8_t> bytes, const std::strin
 Result<Samples> decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name);
 Result<Image> decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name);
 
+/// An OpenEXR file, or its bytes: the layer that choose_layer finds, and all layers.
+Result<Picture> read_exr(const std::string& path, const std::string& layer);
+Result<Picture> decode_exr(std::span<const std::uint8_t> bytes, const std::string& layer,
+                           const std::string& name);
+Result<std::vector<LayerInfo>> exr_layers(std::span<const std::uint8_t> bytes,
+                                          const std::string& name);
+
 /// linear_from_srgb(i / 255), i = 0..255.
 const std::array<float, 256>& linear_from_srgb8();
 

@@ -1,169 +1,95 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// OpenEXR files through the OpenEXR library, version 2.5 or 3. A layer is a group of channels
-// LAYER.R LAYER.G LAYER.B, as the OpenEXR documentation of channel names prescribes; the picture
-// itself has no prefix.
+// Reading OpenEXR files of any number of parts and layers. What the layers are is layer.h's
+// business; here they become an Image in linear Rec.709.
 //
-// Pixels go straight between the file and the caller's picture; nothing holds the file as a whole.
+// Lines go through a buffer of a few into the display window; nothing holds the file as a whole.
 
-#include "openltc/base/atomic_file.h"
 #include "openltc/image/codec.h"
-#include "openltc/image/exr_header.h"
+#include "openltc/image/exr_chroma.h"
+#include "openltc/image/exr_input.h"
+#include "openltc/image/primaries.h"
 
 #include <ImathBox.h>
 #include <ImfChannelList.h>
+#include <ImfChromaticities.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
-#include <ImfInputFile.h>
-#include <ImfOutputFile.h>
+#include <ImfInputPart.h>
+#include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <half.h>
-#include <iterator>
-#include <limits>
-#include <map>
-#include <set>
-#include <stdexcept>
-#include <vector>
 
 namespace openltc::image {
 
 namespace {
 
-constexpr float k_half_max = 65504.0f; // largest finite value of half precision
-
-// A position in a file; OpenEXR 2 and 3 spell the type differently.
-using Offset = decltype(std::declval<Imf::OStream&>().tellp());
-
-// OpenEXR's own stream drops what fails while a file is being closed, on a full disk say.
-class FileStream : public Imf::OStream {
-public:
-  explicit FileStream(const std::string& path)
-      : Imf::OStream(path.c_str()), file_(std::fopen(path.c_str(), "wb")) {
-    if (!file_) throw std::runtime_error(std::strerror(errno));
-  }
-  ~FileStream() override {
-    if (file_) std::fclose(file_);
-  }
-  void write(const char bytes[], int count) override {
-    if (std::fwrite(bytes, 1, std::size_t(count), file_) != std::size_t(count)) fail();
-  }
-  Offset tellp() override {
-    const long at = std::ftell(file_);
-    if (at < 0) fail();
-    return Offset(at);
-  }
-  void seekp(Offset to) override {
-    if (std::fseek(file_, long(to), SEEK_SET) != 0) fail();
-  }
-  /// To be called after the OutputFile is gone. Throws if anything of the file was not written.
-  void close() {
-    std::FILE* file = file_;
-    file_ = nullptr;
-    if (std::fclose(file) != 0) fail();
-    if (error_ != 0) throw std::runtime_error(std::strerror(error_));
-  }
-
-private:
-  void fail() {
-    if (error_ == 0) error_ = errno != 0 ? errno : EIO;
-    throw std::runtime_error(std::strerror(error_));
-  }
-  std::FILE* file_ = nullptr;
-  int error_ = 0;
+// A rectangle of the library's, whose corners may be anything, in numbers that do not overflow.
+struct Box {
+  std::int64_t x0 = 0, y0 = 0, x1 = 0, y1 = 0; // x1, y1 belong to it
+  explicit Box(const Imath::Box2i& box)
+      : x0(box.min.x), y0(box.min.y), x1(box.max.x), y1(box.max.y) {}
+  std::int64_t width() const { return x1 - x0 + 1; }
+  std::int64_t height() const { return y1 - y0 + 1; }
 };
 
-std::string channel_name(const std::string& layer, const char* component) {
-  return layer.empty() ? component : layer + "." + component;
+Result<Window> window_of(const Imath::Box2i& imath, const std::string& name) {
+  const Box box(imath);
+  if (Status ok = codec::check_size(name, box.width(), box.height()); !ok) return ok.error();
+  return Window{int(box.x0), int(box.y0), int(box.width()), int(box.height())};
 }
 
-std::vector<std::string> component_names(const std::string& layer, int channels) {
-  if (channels == 1) return {channel_name(layer, "Y")};
-  std::vector<std::string> names;
-  for (const char* component : {"R", "G", "B", "A"})
-    if (int(names.size()) < channels) names.push_back(channel_name(layer, component));
-  return names;
+bool is_flat(const Imf::Header& header) {
+  return !header.hasType() || header.type() == Imf::SCANLINEIMAGE ||
+         header.type() == Imf::TILEDIMAGE;
 }
 
-// The channels of the file that make up `layer`, in the order of Image; empty if it is not there.
-std::vector<std::string> find_components(const Imf::ChannelList& list, const std::string& layer) {
-  for (int channels : {4, 3, 1}) {
-    const std::vector<std::string> names = component_names(layer, channels);
-    if (std::all_of(names.begin(), names.end(),
-                    [&](const std::string& n) { return list.findChannel(n) != nullptr; }))
-      return names;
+Primaries primaries_of(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return {};
+  const Imf::Chromaticities& c = Imf::chromaticities(header);
+  const auto pair = [](const Imath::V2f& v) -> std::array<double, 2> {
+    return {double(v.x), double(v.y)};
+  };
+  return {pair(c.red), pair(c.green), pair(c.blue), pair(c.white)};
+}
+
+Result<std::vector<LayerInfo>> layers_of(const Imf::MultiPartInputFile& file,
+                                         const std::string& name) {
+  std::vector<PartChannels> parts;
+  for (int p = 0; p < file.parts(); ++p) {
+    const Imf::Header& header = file.header(p);
+    PartChannels& part = parts.emplace_back();
+    if (header.hasName()) part.name = header.name();
+    part.flat = is_flat(header);
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+      part.channels.emplace_back(c.name());
   }
-  if (!layer.empty() && list.findChannel(layer)) return {layer};
-  return {};
-}
-
-std::vector<std::string> find_layers(const Imf::ChannelList& list) {
-  std::set<std::string> names;
-  for (auto i = list.begin(); i != list.end(); ++i) {
-    const std::string channel = i.name();
-    const std::size_t dot = channel.rfind('.');
-    // A channel without a dot belongs to the picture, or is a layer by itself ("Z").
-    const std::string layer = dot == std::string::npos ? "" : channel.substr(0, dot);
-    names.insert(find_components(list, layer).empty() ? channel : layer);
-    if (dot == std::string::npos && channel.size() > 1) names.insert(channel);
+  std::vector<LayerInfo> layers = sort_into_layers(parts);
+  for (LayerInfo& layer : layers) {
+    const Imf::Header& header = file.header(layer.part);
+    const Result<Window> display = window_of(header.displayWindow(), name);
+    if (!display) return display.error();
+    const Result<Window> data = window_of(header.dataWindow(), name);
+    if (!data) return data.error();
+    layer.display = *display;
+    layer.data = *data;
+    layer.pixel_aspect = double(header.pixelAspectRatio());
+    layer.other_primaries =
+        layer.kind == LayerKind::xyz || (is_picture(layer.kind) && layer.kind != LayerKind::grey &&
+                                         !is_rec709(primaries_of(header)));
   }
-  std::vector<std::string> layers;
-  for (const std::string& name : names)
-    if (!find_components(list, name).empty()) layers.push_back(name);
   return layers;
-}
-
-std::string quoted_list(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names)
-    text += fmt::format("{}'{}'", text.empty() ? "" : ", ", name);
-  return text;
-}
-
-// A slice of floats whose `first` value belongs to the pixel box.min.
-Imf::Slice slice_at(const float* first, const Imath::Box2i& box, std::size_t x_stride,
-                    std::size_t y_stride) {
-  return Imf::Slice::Make(Imf::FLOAT, first, box, x_stride, y_stride);
-}
-
-Status check_exists(const std::string& path) {
-  std::error_code ec;
-  if (std::filesystem::is_directory(path, ec))
-    return Error{fmt::format("{}: is a directory, not a picture", path)};
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (!file) return Error{fmt::format("{}: cannot open: {}", path, std::strerror(errno))};
-  unsigned char magic[4] = {};
-  const std::size_t got = std::fread(magic, 1, 4, file);
-  std::fclose(file);
-  if (got == 0) return Error{fmt::format("{}: the file is empty", path)};
-  if (got < 4 || magic[0] != 0x76 || magic[1] != 0x2f || magic[2] != 0x31 || magic[3] != 0x01)
-    return Error{fmt::format("{}: not an OpenEXR file", path)};
-  return Success{};
-}
-
-void limit_header_sizes() {
-  static const bool done = [] {
-    Imf::Header::setMaxImageSize(k_max_side, k_max_side);
-    Imf::Header::setMaxTileSize(8192, 8192); // a tile is held in memory as a whole
-    return true;
-  }();
-  (void)done;
 }
 
 // Whether a file of this size can have so many pixels, asked before memory is taken for them.
 // Deflate, the core of the common compressions, shrinks by a factor of 1032 at most, run lengths by
-// less; a pixel has at least one channel of two bytes.
-bool can_hold(const std::string& path, Imf::Compression compression, const Imath::Box2i& window) {
+// less; a pixel has at least one channel of two bytes, or of a quarter of that.
+bool can_hold(std::uint64_t file_bytes, Imf::Compression compression, const Window& window) {
   switch (compression) {
   case Imf::NO_COMPRESSION:
   case Imf::RLE_COMPRESSION:
@@ -174,189 +100,186 @@ bool can_hold(const std::string& path, Imf::Compression compression, const Imath
   default:
     return true;
   }
-  std::error_code ec;
-  const std::uintmax_t bytes = std::filesystem::file_size(path, ec);
-  const std::uint64_t width = std::uint64_t(std::int64_t(window.max.x) - window.min.x + 1);
-  const std::uint64_t height = std::uint64_t(std::int64_t(window.max.y) - window.min.y + 1);
-  return ec || width * height * 2 / 1032 <= bytes;
+  return std::uint64_t(window.width) * std::uint64_t(window.height) / 2 / 1032 <= file_bytes;
 }
 
-// Whatever OpenEXR throws becomes one line.
-template <class T, class Function>
-Result<T> guarded(const std::string& path, const char* action, Function&& function) {
-  try {
-    return function();
-  } catch (const std::bad_alloc&) {
-    return Error{fmt::format("{}: not enough memory for the picture", path)};
-  } catch (const std::exception& e) {
-    std::string text = e.what();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return Error{fmt::format("{}: cannot {} OpenEXR: {}", path, action, text)};
-  } catch (...) {
-    return Error{fmt::format("{}: cannot {} OpenEXR", path, action)};
-  }
-}
-
-Result<Image> read_components(const std::string& path, Imf::InputFile& file,
-                              const std::vector<std::string>& names) {
-  const Imf::ChannelList& list = file.header().channels();
-  for (const std::string& name : names) {
-    const Imf::Channel* channel = list.findChannel(name);
-    if (channel->xSampling != 1 || channel->ySampling != 1)
-      return Error{
-          fmt::format("{}: channel '{}' is subsampled, which is not supported", path, name)};
-  }
-  const Imath::Box2i data = file.header().dataWindow();
-  const Imath::Box2i display = file.header().displayWindow();
-  for (const Imath::Box2i& box : {data, display}) {
-    const std::int64_t width = std::int64_t(box.max.x) - box.min.x + 1;
-    const std::int64_t height = std::int64_t(box.max.y) - box.min.y + 1;
-    if (Status ok = codec::check_size(path, width, height); !ok) return ok.error();
-  }
-
-  if (!can_hold(path, file.header().compression(), data))
-    return Error{fmt::format("{}: too small a file for its {}x{} pixels: cut short or damaged",
-                             path, data.max.x - data.min.x + 1, data.max.y - data.min.y + 1)};
-
+// Reads `names`, each in all pixels, into the display window; 0 where there are no data.
+Image read_channels(Imf::InputPart& part, const std::vector<std::string>& names,
+                    const LayerInfo& layer) {
   const int channels = int(names.size());
-  Image image(data.max.x - data.min.x + 1, data.max.y - data.min.y + 1, channels);
-  Imf::FrameBuffer frame;
+  const Window &data = layer.data, &display = layer.display;
+  Image image(display.width, display.height, channels);
+  // What is seen, in pixels of the file: corners that belong to it. Windows may lie anywhere.
+  const std::int64_t x0 = std::max(data.x, display.x), y0 = std::max(data.y, display.y);
+  const std::int64_t x1 =
+      std::min(std::int64_t(data.x) + data.width, std::int64_t(display.x) + display.width) - 1;
+  const std::int64_t y1 =
+      std::min(std::int64_t(data.y) + data.height, std::int64_t(display.y) + display.height) - 1;
+  if (x0 > x1 || y0 > y1) return image;
+
+  constexpr std::int64_t lines = 32; // as many as most compressions keep together
+  std::vector<float> buffer(std::size_t(data.width) * names.size() * std::size_t(lines));
   const std::size_t x_stride = sizeof(float) * names.size();
-  for (std::size_t c = 0; c < names.size(); ++c)
-    frame.insert(names[c], slice_at(image.data.data() + c, data, x_stride,
-                                    x_stride * std::size_t(image.width)));
-  file.setFrameBuffer(frame);
-  file.readPixels(data.min.y, data.max.y);
-  if (data == display) return image;
-
-  // Move what is visible into the display window.
-  Image visible(display.max.x - display.min.x + 1, display.max.y - display.min.y + 1, channels);
-  const int x0 = std::max(data.min.x, display.min.x), x1 = std::min(data.max.x, display.max.x);
-  const int y0 = std::max(data.min.y, display.min.y), y1 = std::min(data.max.y, display.max.y);
-  for (int y = y0; y <= y1 && x0 <= x1; ++y)
-    std::copy_n(image.pixel(x0 - data.min.x, y - data.min.y), (x1 - x0 + 1) * channels,
-                visible.pixel(x0 - display.min.x, y - display.min.y));
-  return visible;
-}
-
-// Writes lines one after the other through a buffer of a single line in half precision.
-void write_halves(Imf::OutputFile& file, std::span<const Layer> layers) {
-  const int width = layers[0].image.width;
-  const int height = layers[0].image.height;
-  std::vector<std::vector<half>> lines;
-  Imf::FrameBuffer frame;
-  for (const Layer& layer : layers) {
-    const std::size_t channels = std::size_t(layer.image.channels);
-    const std::vector<std::string> names = component_names(layer.name, layer.image.channels);
-    lines.emplace_back(std::size_t(width) * channels);
-    for (std::size_t c = 0; c < channels; ++c) // a row stride of 0: every row lies in the same line
-      frame.insert(names[c], Imf::Slice(Imf::HALF, reinterpret_cast<char*>(lines.back().data() + c),
-                                        sizeof(half) * channels, 0));
-  }
-  file.setFrameBuffer(frame);
-  for (int y = 0; y < height; ++y) {
-    for (std::size_t l = 0; l < layers.size(); ++l) {
-      const float* row = layers[l].image.pixel(0, y);
-      std::transform(row, row + lines[l].size(), lines[l].begin(), [](float v) {
-        return half(std::isfinite(v) ? std::clamp(v, -k_half_max, k_half_max) : v);
-      });
-    }
-    file.writePixels(1);
-  }
-}
-
-void write_floats(Imf::OutputFile& file, std::span<const Layer> layers) {
-  Imf::FrameBuffer frame;
-  for (const Layer& layer : layers) {
-    const Image& image = layer.image;
-    const Imath::Box2i box(Imath::V2i(0, 0), Imath::V2i(image.width - 1, image.height - 1));
-    const std::vector<std::string> names = component_names(layer.name, image.channels);
-    const std::size_t x_stride = sizeof(float) * names.size();
+  for (std::int64_t y = y0; y <= y1; y += lines) {
+    const std::int64_t end = std::min(y + lines - 1, y1);
+    const Imath::Box2i box(Imath::V2i(data.x, int(y)),
+                           Imath::V2i(int(std::int64_t(data.x) + data.width - 1), int(end)));
+    Imf::FrameBuffer frame;
     for (std::size_t c = 0; c < names.size(); ++c)
-      frame.insert(names[c], slice_at(image.data.data() + c, box, x_stride,
-                                      x_stride * std::size_t(image.width)));
+      frame.insert(names[c], Imf::Slice::Make(Imf::FLOAT, buffer.data() + c, box, x_stride,
+                                              x_stride * std::size_t(data.width)));
+    part.setFrameBuffer(frame);
+    part.readPixels(int(y), int(end));
+    for (std::int64_t line = y; line <= end; ++line)
+      std::copy_n(buffer.data() +
+                      (std::size_t(line - y) * std::size_t(data.width) + std::size_t(x0 - data.x)) *
+                          names.size(),
+                  std::size_t(x1 - x0 + 1) * names.size(),
+                  image.pixel(int(x0 - display.x), int(line - display.y)));
   }
-  file.setFrameBuffer(frame);
-  file.writePixels(layers[0].image.height);
+  return image;
 }
 
-Status check_layers(const std::string& path, std::span<const Layer> layers) {
-  if (layers.empty()) return Error{fmt::format("{}: no layer to write", path)};
-  std::set<std::string> names;
-  for (const Layer& layer : layers) {
-    if (Status ok = codec::check_writable(path, layer.image); !ok) return ok;
-    if (layer.image.width != layers[0].image.width || layer.image.height != layers[0].image.height)
-      return Error{fmt::format("{}: layer '{}' has {}x{} pixels, the first layer {}x{}", path,
-                               layer.name, layer.image.width, layer.image.height,
-                               layers[0].image.width, layers[0].image.height)};
-    if (!names.insert(layer.name).second)
-      return Error{fmt::format("{}: two layers are named '{}'", path, layer.name)};
+// Chroma in the whole data window, each sample at its pixel, the pixels between them filled.
+Image read_chroma(Imf::InputPart& part, const std::string& name, const Imf::Channel& channel,
+                  const Window& data) {
+  const int step_x = channel.xSampling, step_y = channel.ySampling;
+  Image plane(data.width, data.height, 1);
+  Imf::FrameBuffer frame;
+  // The library refuses windows that do not begin at a sample, so all of them lie at even places.
+  const Imath::Box2i box(Imath::V2i(data.x, data.y),
+                         Imath::V2i(data.x + data.width - 1, data.y + data.height - 1));
+  frame.insert(name, Imf::Slice::Make(Imf::FLOAT, plane.data.data(), box,
+                                      sizeof(float) * std::size_t(step_x),
+                                      sizeof(float) * std::size_t(data.width) * std::size_t(step_y),
+                                      step_x, step_y));
+  part.setFrameBuffer(frame);
+  part.readPixels(data.y, data.y + data.height - 1);
+  reconstruct_chroma(plane, step_x, step_y);
+  return plane;
+}
+
+// Y RY BY (A) in the display window, not yet RGB.
+Image read_luminance_chroma(Imf::InputPart& part, const LayerInfo& layer) {
+  std::vector<std::string> full = {layer.channels[0]};
+  if (layer.channels.size() == 4) full.push_back(layer.channels[3]);
+  const Image luminance = read_channels(part, full, layer);
+  Image image(luminance.width, luminance.height, int(layer.channels.size()));
+  for (std::size_t i = 0; i < image.pixel_count(); ++i) {
+    image.data[i * std::size_t(image.channels)] = luminance.data[i * full.size()];
+    if (full.size() == 2) image.data[i * 4 + 3] = luminance.data[i * 2 + 1];
   }
-  if (!layers[0].name.empty())
-    return Error{
-        fmt::format("{}: the first layer must have an empty name, not '{}'", path, layers[0].name)};
+  const Window &data = layer.data, &display = layer.display;
+  for (int c = 1; c <= 2; ++c) {
+    const std::string& name = layer.channels[std::size_t(c)];
+    const Image plane = read_chroma(part, name, *part.header().channels().findChannel(name), data);
+    for (int y = 0; y < plane.height; ++y)
+      for (int x = 0; x < plane.width; ++x) {
+        const std::int64_t to_x = std::int64_t(x) + data.x - display.x;
+        const std::int64_t to_y = std::int64_t(y) + data.y - display.y;
+        if (to_x >= 0 && to_x < display.width && to_y >= 0 && to_y < display.height)
+          image.pixel(int(to_x), int(to_y))[c] = *plane.pixel(x, y);
+      }
+  }
+  return image;
+}
+
+Status check_sampling(const Imf::ChannelList& list, const LayerInfo& layer,
+                      const std::string& name) {
+  for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+    const Imf::Channel* channel = list.findChannel(layer.channels[c]);
+    const bool chroma = layer.kind == LayerKind::luminance_chroma && (c == 1 || c == 2);
+    const int most = chroma ? 2 : 1;
+    if (channel->xSampling < 1 || channel->xSampling > most || channel->ySampling < 1 ||
+        channel->ySampling > most)
+      return Error{fmt::format("{}: channel '{}' has one value for {}x{} pixels, which is not "
+                               "supported; save it in full resolution",
+                               name, layer.channels[c], channel->xSampling, channel->ySampling)};
+  }
   return Success{};
 }
 
-// Before the library takes what the header asks for.
-Status check_header(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!exr_attributes_fit(bytes))
-    return Error{fmt::format("{}: the header is damaged or no OpenEXR header", path)};
+// The colours of the file to those of an Image.
+Status convert_colors(const Imf::Header& header, const LayerInfo& layer, const std::string& name,
+                      Image& image) {
+  if (layer.kind == LayerKind::xyz) multiply_colors(rec709_from_xyz(), image);
+  if (layer.kind != LayerKind::color && layer.kind != LayerKind::luminance_chroma) return Success{};
+  const Primaries primaries = primaries_of(header);
+  const auto to_xyz = xyz_from_rgb(primaries);
+  const auto to_rec709 = rec709_from_rgb(primaries);
+  const bool chroma = layer.kind == LayerKind::luminance_chroma;
+  if (!to_xyz || !to_rec709 || (chroma && !((*to_xyz)[1][1] > 1e-3)))
+    return Error{fmt::format("{}: its chromaticities are no colour space, so its colours are not "
+                             "known; mend or remove the attribute",
+                             name)};
+  if (chroma) rgb_from_luminance_chroma(image, *to_xyz);
+  if (layer.other_primaries) multiply_colors(*to_rec709, image);
   return Success{};
+}
+
+Result<Image> read_chosen(ExrFile& file, const LayerInfo& layer, const std::string& name) {
+  if (!file.parts->partComplete(layer.part))
+    return Error{fmt::format("{}: the file is cut short", name)};
+  const Imf::Header& header = file.parts->header(layer.part);
+  if (Status ok = check_sampling(header.channels(), layer, name); !ok) return ok.error();
+  if (!can_hold(file.stream->size(), header.compression(), layer.data))
+    return Error{fmt::format("{}: too small a file for its {}x{} pixels: cut short or damaged",
+                             name, layer.data.width, layer.data.height)};
+  Imf::InputPart part(*file.parts, layer.part);
+  if (layer.kind == LayerKind::grey && layer.channels.size() == 2) { // grey with alpha
+    const Image both = read_channels(part, layer.channels, layer);
+    Image image(both.width, both.height, 4);
+    for (std::size_t i = 0; i < both.pixel_count(); ++i) {
+      std::fill_n(&image.data[4 * i], 3, both.data[2 * i]);
+      image.data[4 * i + 3] = both.data[2 * i + 1];
+    }
+    return image;
+  }
+  Image image = layer.kind == LayerKind::luminance_chroma
+                    ? read_luminance_chroma(part, layer)
+                    : read_channels(part, layer.channels, layer);
+  if (Status ok = convert_colors(header, layer, name, image); !ok) return ok.error();
+  return image;
+}
+
+Result<Picture> read_from(Result<ExrFile> file, const std::string& wanted,
+                          const std::string& name) {
+  if (!file) return file.error();
+  return guarded_exr<Picture>(name, "read", [&]() -> Result<Picture> {
+    const Result<std::vector<LayerInfo>> layers = layers_of(*file->parts, name);
+    if (!layers) return layers.error();
+    Result<LayerInfo> layer = choose_layer(*layers, wanted, name);
+    if (!layer) return layer.error();
+    Result<Image> image = read_chosen(*file, *layer, name);
+    if (!image) return image.error();
+    return Picture{std::move(*layer), std::move(*image)};
+  });
+}
+
+Result<std::vector<LayerInfo>> layers_from(Result<ExrFile> file, const std::string& name) {
+  if (!file) return file.error();
+  return guarded_exr<std::vector<LayerInfo>>(name, "read",
+                                             [&] { return layers_of(*file->parts, name); });
 }
 
 } // namespace
 
-Result<Image> read_layer(const std::string& path, const std::string& layer) {
-  if (Status ok = check_exists(path); !ok) return ok.error();
-  return guarded<Image>(path, "read", [&]() -> Result<Image> {
-    limit_header_sizes();
-    if (Status ok = check_header(path); !ok) return ok.error();
-    Imf::InputFile file(path.c_str());
-    if (!file.isComplete()) return Error{fmt::format("{}: the file is cut short", path)};
-    const std::vector<std::string> names = find_components(file.header().channels(), layer);
-    if (names.empty())
-      return Error{fmt::format("{}: no {} in the file; its layers are {}", path,
-                               layer.empty() ? std::string("picture (channels R, G, B or Y)")
-                                             : fmt::format("layer '{}'", layer),
-                               quoted_list(find_layers(file.header().channels())))};
-    return read_components(path, file, names);
-  });
+Result<Picture> codec::read_exr(const std::string& path, const std::string& layer) {
+  return read_from(open_exr(path), layer, path);
 }
 
-Result<std::vector<std::string>> layer_names(const std::string& path) {
-  if (Status ok = check_exists(path); !ok) return ok.error();
-  return guarded<std::vector<std::string>>(path, "read", [&]() -> Result<std::vector<std::string>> {
-    limit_header_sizes();
-    if (Status ok = check_header(path); !ok) return ok.error();
-    return find_layers(Imf::InputFile(path.c_str()).header().channels());
-  });
+Result<Picture> codec::decode_exr(std::span<const std::uint8_t> bytes, const std::string& layer,
+                                  const std::string& name) {
+  return read_from(open_exr(bytes, name), layer, name);
 }
 
-Status write_exr(const std::string& path, std::span<const Layer> layers, ExrPrecision precision) {
-  if (Status ok = check_layers(path, layers); !ok) return ok;
-  const bool halves = precision == ExrPrecision::half_float;
-  return write_atomically(path, [&](const std::string& temporary) {
-    return guarded<Success>(path, "write", [&]() -> Status {
-      Imf::Header header(layers[0].image.width, layers[0].image.height);
-      header.compression() = Imf::ZIP_COMPRESSION;
-      for (const Layer& layer : layers)
-        for (const std::string& name : component_names(layer.name, layer.image.channels))
-          header.channels().insert(name, Imf::Channel(halves ? Imf::HALF : Imf::FLOAT));
-      FileStream stream(temporary);
-      {
-        Imf::OutputFile file(stream, header);
-        if (halves)
-          write_halves(file, layers);
-        else
-          write_floats(file, layers);
-      }
-      stream.close();
-      return Success{};
-    });
-  });
+Result<std::vector<LayerInfo>> codec::exr_layers(std::span<const std::uint8_t> bytes,
+                                                 const std::string& name) {
+  return layers_from(open_exr(bytes, name), name);
+}
+
+Result<std::vector<LayerInfo>> list_layers(const std::string& path) {
+  return layers_from(open_exr(path), path);
 }
 
 } // namespace openltc::image

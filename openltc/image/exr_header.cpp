@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -99,24 +100,80 @@ bool value_fits(const std::string& type, std::span<const std::uint8_t> value) {
   return true; // a string, or unknown: as many bytes as it says
 }
 
+// What a header says of the number of its chunks, blocks of lines or tiles.
+class ChunkCount {
+public:
+  void look_at(const std::string& name, Walk value) {
+    if (name == "dataWindow" && value.left() == 16) {
+      std::int64_t corners[4];
+      for (std::int64_t& corner : corners)
+        corner = std::int32_t(*value.number());
+      width_ = corners[2] - corners[0] + 1;
+      height_ = corners[3] - corners[1] + 1;
+    } else if (name == "compression" && value.left() == 1) {
+      compression_ = value.bytes[0];
+    } else if (name == "tiles" && value.left() == 9) {
+      tile_width_ = *value.number();
+      tile_height_ = *value.number();
+    } else if (name == "chunkCount" && value.left() == 4) {
+      stated_ = *value.number();
+    }
+  }
+
+  /// At least so many, for tiles of several levels more. 0 when the library will refuse the header.
+  std::uint64_t least(bool tiled) const {
+    if (width_ <= 0 || height_ <= 0) return stated_;
+    const auto blocks = [](std::int64_t length, std::int64_t block) {
+      return block > 0 ? std::uint64_t((length + block - 1) / block) : 0;
+    };
+    // None, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
+    static constexpr std::int64_t lines[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
+    const std::int64_t block = compression_ < std::size(lines) ? lines[compression_] : 256;
+    const std::uint64_t counted = tiled
+                                      ? blocks(width_, tile_width_) * blocks(height_, tile_height_)
+                                      : blocks(height_, block);
+    return std::max(counted, stated_);
+  }
+
+private:
+  std::int64_t width_ = 0, height_ = 0, tile_width_ = 0, tile_height_ = 0;
+  std::size_t compression_ = 0;
+  std::uint64_t stated_ = 0;
+};
+
+constexpr int k_max_parts = 4096; // each costs the library some kilobytes
+
 } // namespace
 
-bool exr_attributes_fit(std::span<const std::uint8_t> bytes) {
+bool exr_header_fits(std::span<const std::uint8_t> bytes, std::uint64_t file_bytes) {
   if (bytes.size() < 8) return false;
-  const bool many_parts = (bytes[5] & 0x10) != 0; // bit 12 of the version
+  const bool many_parts = (bytes[5] & 0x10) != 0;   // bit 12 of the version
+  const bool single_tiled = (bytes[5] & 0x02) != 0; // bit 9
   Walk walk{bytes, 8};
-  for (bool first = true; first || many_parts; first = false) {
+  std::uint64_t chunks = 0;
+  for (int part = 0; part == 0 || many_parts; ++part) {
+    if (part > k_max_parts) return false;
+    bool tiled = single_tiled;
+    ChunkCount count;
     for (int attributes = 0;; ++attributes) {
       const std::optional<std::string> name = walk.text();
       if (!name) return false;
-      if (name->empty() && attributes == 0) return !first; // the empty header behind many parts
+      if (name->empty() && attributes == 0) return part > 0; // the empty header behind many parts
       if (name->empty()) break;
       const std::optional<std::string> type = walk.text();
       const std::optional<std::uint32_t> size = walk.number();
       if (!type || !size) return false;
       const std::size_t begin = walk.at;
-      if (!walk.skip(*size) || !value_fits(*type, bytes.subspan(begin, *size))) return false;
+      if (!walk.skip(*size)) return false;
+      const std::span<const std::uint8_t> value = bytes.subspan(begin, *size);
+      if (!value_fits(*type, value)) return false;
+      count.look_at(*name, {value});
+      if (*name == "type" && *type == "string")
+        tiled = std::string(value.begin(), value.end()).find("tile") != std::string::npos;
     }
+    // Of each chunk the file has the place, in eight bytes.
+    chunks += std::min<std::uint64_t>(count.least(tiled), file_bytes);
+    if (chunks > file_bytes / 8) return false;
   }
   return true;
 }

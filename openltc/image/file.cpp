@@ -5,17 +5,14 @@
 
 #include "openltc/image/file.h"
 
+#include "openltc/base/regular_file.h"
 #include "openltc/image/codec.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 
 namespace openltc::image {
 
@@ -29,24 +26,9 @@ std::string lower_extension(const std::string& path) {
 }
 
 Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
-  std::error_code ec;
-  if (std::filesystem::is_directory(path, ec))
-    return Error{fmt::format("{}: is a directory, not a picture", path)};
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) return Error{fmt::format("{}: cannot open: {}", path, std::strerror(errno))};
-  std::vector<std::uint8_t> bytes;
-  std::vector<std::uint8_t> block(std::size_t(1) << 20);
-  constexpr std::size_t max_bytes = k_max_pixels * 8; // 4 channels of 16 bits, uncompressed
-  while (const std::size_t got = std::fread(block.data(), 1, block.size(), file.get())) {
-    if (bytes.size() + got > max_bytes)
-      return Error{
-          fmt::format("{}: larger than {} bytes, too large for a picture", path, max_bytes)};
-    bytes.insert(bytes.end(), block.begin(), block.begin() + std::ptrdiff_t(got));
-  }
-  if (std::ferror(file.get()))
-    return Error{fmt::format("{}: cannot read: {}", path, std::strerror(errno))};
-  if (bytes.empty()) return Error{fmt::format("{}: the file is empty", path)};
+  constexpr std::uint64_t max_bytes = k_max_pixels * 8; // 4 channels of 16 bits, uncompressed
+  Result<std::vector<std::uint8_t>> bytes = read_regular_file(path, max_bytes);
+  if (bytes && bytes->empty()) return Error{fmt::format("{}: the file is empty", path)};
   return bytes;
 }
 
@@ -124,25 +106,67 @@ Result<Image> read(const std::string& path) try {
   const std::string extension = lower_extension(path);
   if (extension == ".exr") {
     Result<Image> image = read_layer(path, "");
-    if (!image || image->channels != 1) return image;
-    Image rgb(image->width, image->height, 3);
-    for (std::size_t i = 0; i < image->data.size(); ++i)
-      std::fill_n(rgb.data.begin() + std::ptrdiff_t(3 * i), 3, image->data[i]);
-    return rgb;
+    return image ? Result<Image>(grey_as_rgb(std::move(*image))) : image;
   }
-  const bool is_radiance = extension == ".hdr";
-  if (!is_radiance && extension != ".png" && extension != ".jpg" && extension != ".jpeg")
+  if (!is_readable_extension(path))
     return Error{fmt::format("{}: unknown picture format '{}'; .exr, .hdr, .png, .jpg and .jpeg "
                              "can be read",
                              path, extension)};
   Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
   if (!bytes) return bytes.error();
-  if (is_radiance) return codec::decode_radiance(*bytes, path);
+  if (extension == ".hdr") return codec::decode_radiance(*bytes, path);
   Result<codec::Samples> samples = decode_samples(*bytes, path);
   if (!samples) return samples.error();
   return to_image(*samples, samples->channels % 2 == 0 ? 4 : 3, true);
 } catch (const std::bad_alloc&) {
   return Error{fmt::format("{}: not enough memory for the picture", path)};
+}
+
+Image grey_as_rgb(Image image) {
+  if (image.channels != 1) return image;
+  Image rgb(image.width, image.height, 3);
+  for (std::size_t i = 0; i < image.data.size(); ++i)
+    std::fill_n(rgb.data.begin() + std::ptrdiff_t(3 * i), 3, image.data[i]);
+  return rgb;
+}
+
+Result<Picture> read_picture(const std::string& path, const std::string& layer) {
+  if (lower_extension(path) == ".exr") return codec::read_exr(path, layer);
+  if (!layer.empty())
+    return Error{
+        fmt::format("{}: has no layers, so none is '{}'; only .exr files have", path, layer)};
+  Result<Image> image = read(path);
+  if (!image) return image.error();
+  LayerInfo info;
+  info.channels = {"R", "G", "B"};
+  if (image->channels == 4) info.channels.emplace_back("A");
+  info.display = info.data = {0, 0, image->width, image->height};
+  return Picture{std::move(info), std::move(*image)};
+}
+
+Result<Image> read_layer(const std::string& path, const std::string& layer) {
+  Result<Picture> picture = read_picture(path, layer);
+  if (!picture) return picture.error();
+  return std::move(picture->image);
+}
+
+Result<std::vector<std::string>> layer_names(const std::string& path) {
+  const Result<std::vector<LayerInfo>> layers = list_layers(path);
+  if (!layers) return layers.error();
+  std::vector<std::string> names;
+  for (const LayerInfo& layer : *layers)
+    names.push_back(layer.name);
+  return names;
+}
+
+PictureName split_picture_name(const std::string& name) {
+  std::error_code ec;
+  if (std::filesystem::exists(name, ec)) return {name, ""};
+  for (std::size_t colon = name.find(':'); colon != std::string::npos;
+       colon = name.find(':', colon + 1))
+    if (lower_extension(name.substr(0, colon)) == ".exr")
+      return {name.substr(0, colon), name.substr(colon + 1)};
+  return {name, ""};
 }
 
 Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& name,
@@ -152,6 +176,12 @@ Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& nam
   return to_image(*samples, 4, srgb_to_linear);
 } catch (const std::bad_alloc&) {
   return Error{fmt::format("{}: not enough memory for the picture", name)};
+}
+
+bool is_readable_extension(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".exr" || extension == ".hdr" || extension == ".png" || extension == ".jpg" ||
+         extension == ".jpeg";
 }
 
 bool is_writable_extension(const std::string& path) {

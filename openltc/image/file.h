@@ -12,6 +12,7 @@
 
 #include "openltc/base/result.h"
 #include "openltc/image/image.h"
+#include "openltc/image/layer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,18 +30,39 @@ enum class ExrPrecision { half_float, full_float };
 
 /// Reads .exr, .hdr (scene-linear) or .png, .jpg, .jpeg (sRGB, decoded to linear).
 /// The result has 3 channels, or 4 where the file has alpha; grey is repeated in all three.
-/// An EXR file's further layers are ignored here (see read_layer); its picture is its display
-/// window, black where the file has no data.
-/// A Radiance file's values are divided by its EXPOSURE lines, as its format defines.
+/// Of an EXR file it is the picture of the file (choose_layer) in its display window, black where
+/// the file has no data. Luminance with chroma, CIE XYZ and other primaries become linear Rec.709.
+/// A Radiance file's values are divided by its EXPOSURE and COLORCORR lines, as its format defines.
 Result<Image> read(const std::string& path);
 
-/// Reads one named layer of an EXR file ("" = the picture itself; e.g. "stderr").
-/// The result has 1 channel (NAME.Y or a channel NAME), 3 (NAME.R NAME.G NAME.B) or 4 (and NAME.A).
-/// The error of a layer that is not there names those that are.
+/// A picture and which layer of its file it is. Files without layers have one, "".
+struct Picture {
+  LayerInfo layer;
+  Image image;
+};
+
+/// Reads one layer of a file that read() reads ("" = the picture itself; e.g. "stderr"); only EXR
+/// files have others. The image has 1 channel (grey, one channel), 3 (colours, a vector) or 4
+/// (with alpha). The error of a layer that is not there names those that are.
+Result<Picture> read_picture(const std::string& path, const std::string& layer);
+
+/// The image of read_picture.
 Result<Image> read_layer(const std::string& path, const std::string& layer);
 
-/// Names of the layers of an EXR file, "" first where it has a picture, then in alphabetical order.
+/// The layers of an EXR file (layer.h), and their names.
+Result<std::vector<LayerInfo>> list_layers(const std::string& path);
 Result<std::vector<std::string>> layer_names(const std::string& path);
+
+/// The same picture with a grey one's values in three channels.
+Image grey_as_rgb(Image image);
+
+/// FILE or FILE:LAYER, as a user writes it.
+struct PictureName {
+  std::string path, layer;
+};
+
+/// Cuts FILE.exr:LAYER behind .exr (any case). A file of the whole name goes before that.
+PictureName split_picture_name(const std::string& name);
 
 /// Decodes the bytes of a PNG or JPEG file, told apart by their first bytes, to 4 channels in
 /// [0, 1]; alpha is 1 where the file has none. Colours are decoded from sRGB to linear if
@@ -72,6 +94,9 @@ Result<std::vector<std::uint8_t>> encode_png(const Image& display);
 /// sRGB transfer function, IEC 61966-2-1, and its inverse. Odd-symmetric for negative values.
 float srgb_from_linear(float linear);
 float linear_from_srgb(float srgb);
+
+/// Whether read() knows this extension: ".exr", ".hdr", ".png", ".jpg", ".jpeg" (any case).
+bool is_readable_extension(const std::string& path);
 
 /// Whether a file with this extension can be written: ".exr", ".hdr", ".png" (any case).
 bool is_writable_extension(const std::string& path);

@@ -9,22 +9,26 @@
 
 #include "openltc/base/atomic_file.h"
 #include "openltc/image/codec.h"
+#include "openltc/image/radiance_header.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace openltc::image {
 
 namespace {
+
+constexpr double k_largest = double(std::numeric_limits<float>::max());
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
@@ -162,56 +166,35 @@ bool read_line(Cursor& in, std::vector<Rgbe>& line) {
   return read_components(in, line);
 }
 
-struct Header {
-  double exposure = 1.0;
-  int width = 0, height = 0;
-  bool from_bottom = false, from_right = false;
-};
-
-// "-Y 480 +X 640": lines from top to bottom, each from left to right.
-bool parse_resolution(std::string_view text, Header& header) {
-  const auto number = [&](std::string_view sign_and_axis, int& value) {
-    if (!text.starts_with(sign_and_axis)) return false;
-    const char* begin = text.data() + sign_and_axis.size();
-    const auto result = std::from_chars(begin, text.data() + text.size(), value);
-    if (result.ec != std::errc()) return false;
-    text.remove_prefix(std::size_t(result.ptr - text.data()));
-    return true;
-  };
-  header.from_bottom = text.starts_with("+Y ");
-  if (!number(header.from_bottom ? "+Y " : "-Y ", header.height)) return false;
-  header.from_right = text.starts_with(" -X ");
-  return number(header.from_right ? " -X " : " +X ", header.width);
-}
-
-Result<Header> read_header(Cursor& in, const std::string& name) {
+Result<RadianceHeader> read_header(Cursor& in, const std::string& name) {
   const auto cut_short = [&] {
     return Error{fmt::format("{}: the Radiance header is cut short", name)};
   };
   const auto magic = in.line();
   if (!magic || !magic->starts_with("#?"))
     return Error{fmt::format("{}: not a Radiance file (it does not begin with #?RADIANCE)", name)};
-  Header header;
+  RadianceHeader header;
   while (true) {
     const auto line = in.line();
     if (!line) return cut_short();
-    if (line->empty()) break;
-    if (line->starts_with("FORMAT=") && *line != "FORMAT=32-bit_rle_rgbe")
-      return Error{fmt::format("{}: '{}' is not supported, only FORMAT=32-bit_rle_rgbe", name,
-                               line->substr(0, 60))};
-    if (line->starts_with("EXPOSURE=")) {
-      const double value = std::strtod(std::string(line->substr(9)).c_str(), nullptr);
-      if (!(value > 0.0 && value < 1e30))
-        return Error{fmt::format("{}: the header line '{}' is not a positive number", name,
-                                 line->substr(0, 60))};
-      header.exposure *= value;
-    }
+    // An indented line is a copy of another picture's header, which does not count.
+    const std::string_view text = line->ends_with('\r') ? line->substr(0, line->size() - 1) : *line;
+    if (text.empty()) break;
+    if (Status ok = read_radiance_variable(text, name, header); !ok) return ok.error();
   }
   const auto resolution = in.line();
   if (!resolution) return cut_short();
-  if (!parse_resolution(*resolution, header))
-    return Error{fmt::format("{}: cannot read the resolution '{}'; expected '-Y HEIGHT +X WIDTH'",
-                             name, resolution->substr(0, 60))};
+  if (!parse_radiance_resolution(*resolution, header))
+    return Error{
+        fmt::format("{}: cannot read the resolution '{}'; expected '-Y HEIGHT +X WIDTH' or "
+                    "another order of the two",
+                    name, resolution->substr(0, resolution->find('\r')).substr(0, 60))};
+  for (double& factor : header.color_correction) {
+    factor *= header.exposure;
+    if (!(factor > 1e-37 && factor < 1e37))
+      return Error{fmt::format(
+          "{}: the EXPOSURE and COLORCORR lines multiply to {:.3g}, out of range", name, factor)};
+  }
   return header;
 }
 
@@ -219,34 +202,38 @@ Result<Header> read_header(Cursor& in, const std::string& name) {
 
 Result<Image> codec::decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name) {
   Cursor in(bytes);
-  Result<Header> header = read_header(in, name);
+  Result<RadianceHeader> header = read_header(in, name);
   if (!header) return header.error();
   if (Status ok = check_size(name, header->width, header->height); !ok) return ok.error();
 
+  const int lines = header->columns ? header->width : header->height;
+  const int length = header->columns ? header->height : header->width;
   // Run-length encoding shrinks a line to 2 bytes per 127 pixels and component at the least.
-  const std::size_t least =
-      std::size_t(header->height) * std::max<std::size_t>(4, std::size_t(header->width) / 64);
-  if (least > in.left() && header->width >= k_min_rle_width)
+  const std::size_t least = std::size_t(lines) * std::max<std::size_t>(4, std::size_t(length) / 64);
+  if (least > in.left() && length >= k_min_rle_width)
     return Error{fmt::format("{}: {} bytes cannot hold {}x{} pixels: cut short or damaged", name,
                              bytes.size(), header->width, header->height)};
 
   Image image(header->width, header->height, 3);
-  std::vector<Rgbe> line(std::size_t(header->width));
-  const double scale = 1.0 / header->exposure;
-  for (int row = 0; row < header->height; ++row) {
+  std::vector<Rgbe> line(static_cast<std::size_t>(length));
+  for (int j = 0; j < lines; ++j) {
     if (!read_line(in, line))
-      return Error{
-          fmt::format("{}: line {} of {} is cut short or damaged", name, row + 1, header->height)};
-    const int y = header->from_bottom ? header->height - 1 - row : row;
-    for (int i = 0; i < header->width; ++i) {
+      return Error{fmt::format("{}: line {} of {} is cut short or damaged", name, j + 1, lines)};
+    for (int i = 0; i < length; ++i) {
+      const int x = header->columns ? j : i, y = header->columns ? i : j;
       const Rgbe& pixel = line[std::size_t(i)];
-      float* out = image.pixel(header->from_right ? header->width - 1 - i : i, y);
+      float* out = image.pixel(header->from_right ? header->width - 1 - x : x,
+                               header->from_bottom ? header->height - 1 - y : y);
       if (pixel[3] == 0) continue; // black, whatever the mantissas
-      const double unit = std::ldexp(scale, int(pixel[3]) - 136);
+      const double unit = std::ldexp(1.0, int(pixel[3]) - 136);
       for (std::size_t c = 0; c < 3; ++c)
-        out[c] = float(double(pixel[c]) * unit);
+        out[c] = float(std::min(double(pixel[c]) * unit / header->color_correction[c], k_largest));
     }
   }
+  if (header->is_xyz)
+    multiply_colors(rec709_from_xyz(), image);
+  else if (header->primaries)
+    multiply_colors(*rec709_from_rgb(*header->primaries), image);
   return image;
 }
 

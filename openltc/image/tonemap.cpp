@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -29,6 +30,42 @@ float ev100_from_exposure(float exposure) { return -std::log2(k_saturation * exp
 
 float luminance(Vec3f rgb) { return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z; }
 
+namespace {
+
+float usable(double exposure) {
+  return float(std::clamp(exposure, double(std::numeric_limits<float>::min()),
+                          double(std::numeric_limits<float>::max())));
+}
+
+} // namespace
+
+float exposure_below_white(const Image& image, float exposure, const AutoExposureOptions& options) {
+  std::vector<float> brightest; // of each pixel's channels
+  brightest.reserve(image.pixel_count());
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const Vec3f c = image.rgb(x, y);
+      const float value = std::max({c.x, c.y, c.z});
+      if (std::isfinite(luminance(c)) && value > 0.0f) brightest.push_back(value);
+    }
+  std::sort(brightest.begin(), brightest.end(), std::greater<>());
+  const auto above = std::size_t(double(options.highlight_fraction) * double(image.pixel_count()));
+  // Brings those pixels to `white` of which `above` are brighter, beginning with the first.
+  const auto lowered = [&](double from, std::size_t first, float white, float stops) {
+    if (first + above >= brightest.size()) return from;
+    const double for_white = double(white) / double(brightest[first + above]);
+    return std::min(from, std::max(for_white, double(exposure) * std::exp2(-double(stops))));
+  };
+  if (!std::isfinite(options.light))
+    return usable(lowered(double(exposure), 0, options.white, options.light_stops));
+  std::size_t lights = 0;
+  while (lights < brightest.size() && brightest[lights] >= options.light)
+    ++lights;
+  const double for_surfaces =
+      lowered(double(exposure), lights, options.white, options.surface_stops);
+  return usable(lowered(for_surfaces, 0, options.light_white, options.light_stops));
+}
+
 float auto_exposure(const Image& image, const AutoExposureOptions& options) {
   std::vector<float> values;
   values.reserve(image.pixel_count());
@@ -38,16 +75,17 @@ float auto_exposure(const Image& image, const AutoExposureOptions& options) {
       if (std::isfinite(l) && l > 0.0f) values.push_back(l);
     }
   if (values.empty()) return 1.0f;
+  // Known lights do not count, unless there is hardly anything else.
+  const auto surfaces = std::size_t(
+      std::count_if(values.begin(), values.end(), [&](float l) { return l < options.light; }));
+  if (surfaces >= values.size() / 20)
+    std::erase_if(values, [&](float l) { return l >= options.light; });
   std::sort(values.begin(), values.end());
-  const auto from_top = [&](std::size_t count) {
-    return values[values.size() - 1 - std::min(count, values.size() - 1)];
-  };
-  const double fraction = double(options.highlight_fraction);
-  const double highlights = double(from_top(std::size_t(fraction * double(image.pixel_count()))));
 
   // Drop the background, measured against the bright part of what is lit; not against the brightest
   // pixel, which may be a single spark.
-  const float bright = from_top(std::size_t(fraction * double(values.size())));
+  const auto sparks = std::size_t(double(options.highlight_fraction) * double(values.size()));
+  const float bright = values[values.size() - 1 - std::min(sparks, values.size() - 1)];
   values.erase(values.begin(),
                std::lower_bound(values.begin(), values.end(), bright * options.black));
 
@@ -57,13 +95,7 @@ float auto_exposure(const Image& image, const AutoExposureOptions& options) {
   for (std::size_t i = margin; i < values.size() - margin; ++i)
     sum += std::log(double(values[i]));
   const double mean = std::exp(sum / double(values.size() - 2 * margin));
-
-  const double for_mean = double(options.middle_grey) / mean;
-  const double for_highlights = std::max(double(options.highlight) / highlights,
-                                         for_mean * std::exp2(-double(options.highlight_stops)));
-  const double exposure = std::min(for_mean, for_highlights);
-  return float(std::clamp(exposure, double(std::numeric_limits<float>::min()),
-                          double(std::numeric_limits<float>::max())));
+  return exposure_below_white(image, usable(double(options.middle_grey) / mean), options);
 }
 
 std::optional<Tonemap> tonemap_from_name(std::string_view name) {

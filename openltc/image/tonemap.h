@@ -7,6 +7,7 @@
 
 #include "openltc/image/image.h"
 
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -24,23 +25,37 @@ float luminance(Vec3f rgb);
 struct AutoExposureOptions {
   /// Display-linear value that the middle of the picture gets: the grey card's 18 %.
   float middle_grey = 0.18f;
-  /// Luminance, once exposed, that the highlights are kept below: there the tone maps still tell
-  /// bright from brighter.
-  float highlight = 2.0f;
+  /// Display-linear value that the highlights are kept below: a sensor's white. The tone maps that
+  /// roll off have room above it, for what is brighter still.
+  float white = 1.0f;
   /// What may become brighter: this fraction of the picture's area, sparks and small lights.
-  float highlight_fraction = 0.02f;
-  /// Highlights take at most this many stops off, so that a visible light source does not leave the
-  /// scene that it lights in the dark.
-  float highlight_stops = 2.0f;
+  float highlight_fraction = 0.01f;
+  /// Pixels with a channel from here on are lights, or mirror images of lights, and no surfaces
+  /// that lights fall on; infinity = not known, any pixel may be one.
+  float light = std::numeric_limits<float>::infinity();
+  /// Known lights are kept below this, where the tone maps still tell their colours.
+  float light_white = 3.0f;
+  /// Lights take at most this many stops off, so that one in view does not leave the scene that it
+  /// lights in the dark.
+  float light_stops = 2.0f;
+  /// The same for surfaces, where they can be told from lights.
+  float surface_stops = 8.0f;
   /// Pixels darker than this fraction of the bright ones are background and do not count.
   float black = 1e-4f;
 };
 
 /// An exposure factor for this picture, always positive and finite. It brings the geometric mean
 /// luminance, without the darkest and brightest twentieth of the lit pixels, to middle grey, or
-/// less where the highlights ask for it. Black, negative, NaN and infinite pixels do not count; a
-/// picture without any other gets 1. Scaling the picture by k scales the result by 1/k.
+/// less where the highlights ask for it: then 99 % of the picture's pixels are below white in every
+/// channel, as far as highlight_stops allows. Black, negative, NaN and infinite pixels do not
+/// count; a picture without any other gets 1. Scaling the picture by k scales the result by 1/k.
 float auto_exposure(const Image& image, const AutoExposureOptions& options = {});
+
+/// `exposure`, or what less keeps all of the picture but highlight_fraction at most white in every
+/// channel, as far as light_stops and surface_stops allow. For where the level of the light is
+/// known beforehand.
+float exposure_below_white(const Image& image, float exposure,
+                           const AutoExposureOptions& options = {});
 
 enum class Tonemap { neutral, aces, none };
 

@@ -3,19 +3,10 @@
 //
 // Sources: ANSI/IES LM-63-2002, the meaning of the angles; LM-63-1995, horizontal angles from 90 to
 // 270 degrees.
-//
-// Between the measured angles intensity is taken to be bilinear in the two angles. The flux is the
-// exact integral of that: with M(t) the mean over the horizontal angle, linear from a at t0 to b at
-// t1, an interval gives
-//   2 pi int M sin = 2 pi (a cos t0 - b cos t1 + (b - a)/(t1 - t0) (sin t1 - sin t0)).
-//
-// The grid for shading takes the largest steps that meet all of the measured angles, so it
-// interpolates the same function; where there are none, it has steps of half a degree. Where the
-// measurement ends inside the sphere, at 90 degrees say, intensity falls to 0 within one step of
-// the grid, at most a degree.
 
 #include "openltc/light/ies.h"
 
+#include "openltc/light/ies_table.h"
 #include "openltc/light/ies_text.h"
 
 #include <fmt/format.h>
@@ -23,99 +14,22 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <numbers>
 
 namespace openltc::light {
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
 constexpr double k_angle_tolerance = 0.01; // degrees; files round their angles
-constexpr std::uintmax_t k_max_bytes = 16u << 20;
-constexpr int k_max_intervals = 720;
 
-struct Place {
-  std::size_t index; // of the angle below, one above which exists unless there is only one
-  double fraction;
-};
-
-Place place_of(const std::vector<double>& angles, double angle) {
-  if (angles.size() < 2) return {0, 0};
-  const auto above = std::upper_bound(angles.begin() + 1, angles.end() - 1, angle);
-  const std::size_t index = std::size_t(above - angles.begin()) - 1;
-  const double step = angles[index + 1] - angles[index];
-  return {index, std::clamp((angle - angles[index]) / step, 0.0, 1.0)};
-}
-
-bool is_measured(const IesProfile& profile, double vertical_degrees) {
-  return vertical_degrees >= profile.vertical_degrees.front() - 1e-9 &&
-         vertical_degrees <= profile.vertical_degrees.back() + 1e-9;
-}
-
-// Intensity at the vertical place in row h.
-double at_row(const IesProfile& profile, std::size_t h, Place v) {
-  const std::size_t count = profile.vertical_degrees.size();
-  const double* row = profile.candela.data() + h * count + v.index;
-  return row[0] + (row[count > 1 ? 1 : 0] - row[0]) * v.fraction;
-}
-
-double eval_degrees(const IesProfile& profile, double vertical, double horizontal) {
-  if (!is_measured(profile, vertical)) return 0;
-  const Place v = place_of(profile.vertical_degrees, vertical);
-  const Place h = place_of(profile.horizontal_degrees, horizontal);
-  const double a = at_row(profile, h.index, v);
-  if (profile.horizontal_degrees.size() < 2) return a;
-  return a + (at_row(profile, h.index + 1, v) - a) * h.fraction;
-}
-
-double mean_degrees(const IesProfile& profile, double vertical) {
-  if (!is_measured(profile, vertical)) return 0;
-  const Place v = place_of(profile.vertical_degrees, vertical);
-  const std::vector<double>& angles = profile.horizontal_degrees;
-  if (angles.size() < 2) return at_row(profile, 0, v);
-  double sum = 0;
-  for (std::size_t h = 0; h + 1 < angles.size(); ++h)
-    sum += 0.5 * (at_row(profile, h, v) + at_row(profile, h + 1, v)) * (angles[h + 1] - angles[h]);
-  return sum / 360;
-}
-
-double flux_of(const IesProfile& profile) {
-  const std::vector<double>& angles = profile.vertical_degrees;
-  double sum = 0;
-  for (std::size_t v = 0; v + 1 < angles.size(); ++v) {
-    const double t0 = angles[v] * k_pi / 180, t1 = angles[v + 1] * k_pi / 180;
-    const double a = mean_degrees(profile, angles[v]), b = mean_degrees(profile, angles[v + 1]);
-    sum +=
-        a * std::cos(t0) - b * std::cos(t1) + (b - a) / (t1 - t0) * (std::sin(t1) - std::sin(t0));
-  }
-  return 2 * k_pi * std::max(sum, 0.0);
-}
-
-// A whole circle of angles, each with the row of the file that belongs to it.
-struct Circle {
-  std::vector<double> degrees;
-  std::vector<std::size_t> row;
-  void add(double angle, std::size_t r) {
-    degrees.push_back(angle);
-    row.push_back(r);
-  }
-  // Appends the mirror image about the last angle.
-  void unfold() {
-    const double twice = 2 * degrees.back();
-    for (std::size_t i = degrees.size() - 1; i-- > 0;)
-      add(twice - degrees[i], row[i]);
-  }
-};
+bool near(double a, double b) { return std::abs(a - b) <= k_angle_tolerance; }
 
 // Empty when the angles are of no known symmetry. From 90 to 270 degrees the circle runs on to 450.
-Circle unfold_circle(const std::vector<double>& angles) {
-  Circle circle;
+AngleRows unfold_circle(const std::vector<double>& angles) {
+  AngleRows circle;
   const double first = angles.front(), last = angles.back();
-  const auto near = [](double a, double b) { return std::abs(a - b) <= k_angle_tolerance; };
   for (std::size_t i = 0; i < angles.size(); ++i)
     circle.add(angles[i], i);
-  if (angles.size() == 1) return near(first, 0) ? circle : Circle{};
+  if (angles.size() == 1) return near(first, 0) ? circle : AngleRows{};
   circle.degrees.front() = near(first, 90) ? 90 : 0;
   if (near(first, 90) && near(last, 270)) {
     circle.degrees.back() = 270;
@@ -143,69 +57,43 @@ Circle unfold_circle(const std::vector<double>& angles) {
   return circle;
 }
 
-void take_circle(const Circle& circle, const IesText& file, IesProfile& profile) {
+// Types A and B: from -last to last where the angles begin at 0. Ascending.
+AngleRows unfold_sides(const std::vector<double>& angles) {
+  AngleRows sides;
+  if (near(angles.front(), 0))
+    for (std::size_t i = angles.size(); i-- > 1;)
+      sides.add(-angles[i], i);
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    sides.add(i == 0 && near(angles[0], 0) ? 0 : angles[i], i);
+  return sides;
+}
+
+// The polar angle of A is 90 - V, so that the order turns over.
+void take_type_a(const IesText& file, IesProfile& profile) {
   const std::size_t count = file.vertical_degrees.size();
-  const auto append = [&](double degrees, std::size_t row) {
-    const auto from = file.candela.begin() + std::ptrdiff_t(row * count);
-    profile.horizontal_degrees.push_back(degrees);
-    profile.candela.insert(profile.candela.end(), from, from + std::ptrdiff_t(count));
-  };
-  if (circle.degrees.back() <= 360) {
-    for (std::size_t i = 0; i < circle.degrees.size(); ++i)
-      append(circle.degrees[i], circle.row[i]);
-    return;
-  }
-  // From 90 to 450 degrees: turn so that it begins at 0, with an angle made there if there is none.
-  const auto split =
-      std::size_t(std::lower_bound(circle.degrees.begin(), circle.degrees.end(), 360 - 1e-9) -
-                  circle.degrees.begin());
-  std::vector<double> seam(count);
-  const double below = circle.degrees[split - 1], above = circle.degrees[split];
-  const double fraction = std::clamp((360 - below) / (above - below), 0.0, 1.0);
+  std::vector<double> polar, rows;
+  for (std::size_t v = count; v-- > 0;)
+    polar.push_back(90 - file.vertical_degrees[v]);
+  for (std::size_t h = 0; h < file.horizontal_degrees.size(); ++h)
+    for (std::size_t v = count; v-- > 0;)
+      rows.push_back(file.candela[h * count + v]);
+  take_rows(polar, unfold_sides(file.horizontal_degrees), rows, profile);
+}
+
+// That of B is 90 + H, so that rows and columns change places.
+void take_type_b(const IesText& file, IesProfile& profile) {
+  const std::size_t count = file.vertical_degrees.size();
+  const AngleRows sides = unfold_sides(file.horizontal_degrees);
+  std::vector<double> polar, rows;
+  for (const double h : sides.degrees)
+    polar.push_back(90 + h);
+  AngleRows azimuth;
   for (std::size_t v = 0; v < count; ++v) {
-    const double a = file.candela[circle.row[split - 1] * count + v];
-    seam[v] = a + (file.candela[circle.row[split] * count + v] - a) * fraction;
+    azimuth.add(file.vertical_degrees[v], v);
+    for (const std::size_t h : sides.row)
+      rows.push_back(file.candela[h * count + v]);
   }
-  const auto append_seam = [&](double degrees) {
-    profile.horizontal_degrees.push_back(degrees);
-    profile.candela.insert(profile.candela.end(), seam.begin(), seam.end());
-  };
-  append_seam(0);
-  for (std::size_t i = split; i < circle.degrees.size(); ++i)
-    if (circle.degrees[i] - 360 > 1e-9) append(circle.degrees[i] - 360, circle.row[i]);
-  // 450 degrees is 90 again.
-  for (std::size_t i = 1; i < split; ++i)
-    append(circle.degrees[i], circle.row[i]);
-  append_seam(360);
-}
-
-// The least number of equal intervals of `span`, `least` or more, whose ends meet all angles.
-int intervals_for(const std::vector<double>& angles, double span, int least) {
-  for (int n = 1; n <= k_max_intervals; ++n) {
-    const bool meets = std::all_of(angles.begin(), angles.end(), [&](double angle) {
-      const double node = angle * n / span;
-      return std::abs(node - std::round(node)) < 1e-3;
-    });
-    if (meets) return n * ((least + n - 1) / n);
-  }
-  return k_max_intervals;
-}
-
-void make_grid(IesProfile& profile) {
-  const std::vector<double>& vertical = profile.vertical_degrees;
-  const bool whole = vertical.front() <= 0 && vertical.back() >= 180;
-  const int rows = intervals_for(vertical, 180, whole ? 1 : 180);
-  const bool round = profile.horizontal_degrees.size() == 1;
-  const int columns = round ? 0 : intervals_for(profile.horizontal_degrees, 360, 1);
-  profile.grid_rows = rows + 1;
-  profile.grid_columns = columns + 1;
-  profile.grid.reserve(std::size_t(profile.grid_rows) * std::size_t(profile.grid_columns));
-  for (int j = 0; j <= rows; ++j)
-    for (int i = 0; i <= columns; ++i) {
-      const double candela =
-          eval_degrees(profile, 180.0 * j / rows, round ? 0 : 360.0 * i / columns);
-      profile.grid.push_back(float(std::clamp(candela / profile.max_candela, 0.0, 1.0)));
-    }
+  take_rows(polar, azimuth, rows, profile);
 }
 
 std::string name_of(const IesText& file, const std::string& path) {
@@ -218,16 +106,6 @@ std::string name_of(const IesText& file, const std::string& path) {
 
 } // namespace
 
-double eval_candela(const IesProfile& profile, double vertical_rad, double horizontal_rad) {
-  double horizontal = std::fmod(horizontal_rad * 180 / k_pi, 360);
-  if (horizontal < 0) horizontal += 360;
-  return eval_degrees(profile, vertical_rad * 180 / k_pi, horizontal);
-}
-
-double mean_candela(const IesProfile& profile, double vertical_rad) {
-  return mean_degrees(profile, vertical_rad * 180 / k_pi);
-}
-
 Result<IesProfile> parse_ies(std::string_view text, const std::string& name) {
   const Result<IesText> file = parse_ies_text(text, name);
   if (!file.ok()) return file.error();
@@ -235,44 +113,39 @@ Result<IesProfile> parse_ies(std::string_view text, const std::string& name) {
     return Error{fmt::format("{}: {}", name, what)};
   };
   if (file->vertical_degrees.size() < 2) return wrong("one vertical angle is too few");
-  const Circle circle = unfold_circle(file->horizontal_degrees);
-  if (circle.degrees.empty())
-    return wrong(fmt::format("the horizontal angles run from {} to {}; they must be 0 alone or run "
-                             "from 0 to 90, 180 or 360 or from 90 to 270",
-                             file->horizontal_degrees.front(), file->horizontal_degrees.back()));
-  // Rounding of the angles must not have put the ends out of order.
-  for (std::size_t i = 1; i < circle.degrees.size(); ++i)
-    if (!(circle.degrees[i] > circle.degrees[i - 1]))
-      return wrong("horizontal angles are too close to each other");
+  const bool is_c = file->type == PhotometricType::c;
+  if (!is_c && file->horizontal_degrees.size() < 2)
+    return wrong(fmt::format("one horizontal angle is too few for photometric type {}",
+                             file->type == PhotometricType::a ? "A" : "B"));
 
   IesProfile profile;
   profile.name = name_of(*file, name);
   profile.version = file->version;
+  profile.type = file->type;
   profile.keywords = file->keywords;
   profile.lamp_lumens = file->lamp_lumens;
+  profile.lamp_count = file->lamp_count;
   profile.input_watts = file->input_watts;
+  profile.warnings = file->warnings;
   std::copy_n(file->size_metres, 3, profile.size_metres);
-  profile.vertical_degrees = file->vertical_degrees;
-  take_circle(circle, *file, profile);
-  profile.max_candela = *std::max_element(profile.candela.begin(), profile.candela.end());
-  // Below this a share of the maximum has no digits left.
-  if (!(profile.max_candela > 1e-100)) return wrong("all intensities are zero");
-  profile.flux_lumens = flux_of(profile);
-  make_grid(profile);
+  if (is_c) {
+    const AngleRows circle = unfold_circle(file->horizontal_degrees);
+    if (circle.degrees.empty())
+      return wrong(fmt::format("the horizontal angles run from {} to {}; they must be 0 alone or "
+                               "run from 0 to 90, 180 or 360 or from 90 to 270",
+                               file->horizontal_degrees.front(), file->horizontal_degrees.back()));
+    // Rounding of the angles must not have put the ends out of order.
+    for (std::size_t i = 1; i < circle.degrees.size(); ++i)
+      if (!(circle.degrees[i] > circle.degrees[i - 1]))
+        return wrong("horizontal angles are too close to each other");
+    take_rows(file->vertical_degrees, circle, file->candela, profile);
+  } else if (file->type == PhotometricType::a) {
+    take_type_a(*file, profile);
+  } else {
+    take_type_b(*file, profile);
+  }
+  if (Status ok = finish_profile(profile, name); !ok) return ok.error();
   return profile;
-}
-
-Result<IesProfile> read_ies(const std::string& path) {
-  std::error_code ec;
-  const std::uintmax_t size = std::filesystem::file_size(path, ec);
-  std::ifstream file(path, std::ios::binary);
-  if (ec || !file) return Error{fmt::format("{}: cannot be read", path)};
-  if (size > k_max_bytes)
-    return Error{fmt::format("{}: {} bytes are more than any LM-63 file has", path, size)};
-  std::string text(std::size_t(size), '\0');
-  if (!file.read(text.data(), std::streamsize(size)))
-    return Error{fmt::format("{}: cannot be read", path)};
-  return parse_ies(text, path);
 }
 
 } // namespace openltc::light

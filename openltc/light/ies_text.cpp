@@ -13,8 +13,12 @@
 //
 // From TILT on there are only numbers, parted by blanks, commas and line ends. In 2002 the field
 // after the ballast factor is reserved, in 2019 it tells how the file was made: neither multiplies.
+// Tools leave words of their own behind the last value; what begins by a number there is something
+// else, counts that are wrong.
 
 #include "openltc/light/ies_text.h"
+
+#include "openltc/light/ies_table.h"
 
 #include <fmt/format.h>
 
@@ -28,27 +32,10 @@ namespace openltc::light {
 namespace {
 
 constexpr std::size_t k_max_keywords = 1024;
-constexpr double k_max_count = 4096, k_max_directions = 1 << 20, k_max_value = 1e12;
 constexpr double k_metres_per_foot = 0.3048;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\f' || c == '\v'; }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-
-std::string_view trimmed(std::string_view s) {
-  while (!s.empty() && (is_blank(s.front()) || s.front() == '\0'))
-    s.remove_prefix(1);
-  while (!s.empty() && (is_blank(s.back()) || s.back() == '\0'))
-    s.remove_suffix(1);
-  return s;
-}
-
-// At most `length` characters, none of them control characters: fit for names and messages.
-std::string printable(std::string_view s, std::size_t length) {
-  std::string out(s.substr(0, length));
-  for (char& c : out)
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-  return out;
-}
 
 std::string upper(std::string_view s) {
   std::string out(s);
@@ -66,17 +53,21 @@ public:
     // Each step leaves the first error behind and the later ones do nothing.
     read_head(file);
     const double scale = read_lamp(file);
-    read_angles(file.vertical_degrees, vertical_count_, "vertical", 180);
-    read_angles(file.horizontal_degrees, horizontal_count_, "horizontal", 360);
-    file.candela.reserve(vertical_count_ * horizontal_count_);
-    for (std::size_t i = 0; i < vertical_count_ * horizontal_count_ && good(); ++i) {
-      const double value = number("candela value", 0, k_max_value) * scale;
-      if (good() && value > k_max_value)
-        fail(fmt::format("{} candela after all factors are more than {}", value, k_max_value));
-      file.candela.push_back(value);
+    switch (file.type) {
+    case PhotometricType::a:
+      read_angles(file.vertical_degrees, vertical_count_, "vertical", -90, 90);
+      read_angles(file.horizontal_degrees, horizontal_count_, "horizontal", -180, 180);
+      break;
+    case PhotometricType::b:
+      read_angles(file.vertical_degrees, vertical_count_, "vertical", -180, 180);
+      read_angles(file.horizontal_degrees, horizontal_count_, "horizontal", -90, 90);
+      break;
+    default:
+      read_angles(file.vertical_degrees, vertical_count_, "vertical", 0, 180);
+      read_angles(file.horizontal_degrees, horizontal_count_, "horizontal", 0, 360);
     }
-    if (good() && !at_end())
-      fail("numbers are left over after the last candela value; the counts are wrong");
+    read_candela(file, scale);
+    if (good() && !at_end()) read_rest(file);
     if (!good()) return Error{error_};
     return file;
   }
@@ -129,21 +120,62 @@ private:
     return at_ >= text_.size() || text_[at_] == '\x1a' || text_[at_] == '\0';
   }
 
+  void read_candela(IesText& file, double scale) {
+    const std::size_t count = vertical_count_ * horizontal_count_;
+    std::vector<std::size_t> line_of;
+    file.candela.reserve(count);
+    line_of.reserve(count);
+    for (std::size_t i = 0; i < count && good(); ++i) {
+      const double value =
+          number("candela value", -k_max_photometric_value, k_max_photometric_value) * scale;
+      if (good() && std::abs(value) > k_max_photometric_value)
+        fail(fmt::format("{} candela after all factors are more than {}", value,
+                         k_max_photometric_value));
+      file.candela.push_back(value);
+      line_of.push_back(line_);
+    }
+    if (!good()) return;
+    const std::size_t wrong = clamp_noise(file.candela, name_, file.warnings);
+    if (wrong >= file.candela.size()) return;
+    line_ = line_of[wrong];
+    fail(fmt::format("the candela value {} is too far below 0 for noise of the measurement",
+                     file.candela[wrong]));
+  }
+
+  // Behind the last value.
+  void read_rest(IesText& file) {
+    double value = 0;
+    if (parse(next_token(), value))
+      return fail("numbers are left over after the last candela value; the counts are wrong");
+    const std::size_t line = line_;
+    file.warnings.push_back(
+        fmt::format("{}:{}: the text after the last candela value, \"{}\", is ignored", name_, line,
+                    printable(trimmed(take_line()), 60)));
+  }
+
+  std::string_view next_token() const {
+    std::size_t end = at_;
+    while (end < text_.size() && !is_blank(text_[end]) && !is_line_end(text_[end]))
+      ++end;
+    return text_.substr(at_, end - at_);
+  }
+
+  static bool parse(std::string_view token, double& value) {
+    const std::size_t sign = token.size() > 1 && token[0] == '+' && token[1] != '-' ? 1 : 0;
+    const auto parsed = std::from_chars(token.data() + sign, token.data() + token.size(), value);
+    return parsed.ec == std::errc() && parsed.ptr == token.data() + token.size() &&
+           std::isfinite(value);
+  }
+
   double number(const char* what, double least, double most) {
     if (!good()) return 0;
     if (at_end()) {
       fail(fmt::format("the file ends where a {} should stand", what));
       return 0;
     }
-    std::size_t end = at_;
-    while (end < text_.size() && !is_blank(text_[end]) && !is_line_end(text_[end]))
-      ++end;
-    const std::string_view token = text_.substr(at_, end - at_);
-    const std::size_t sign = token.size() > 1 && token[0] == '+' && token[1] != '-' ? 1 : 0;
+    const std::string_view token = next_token();
     double value = 0;
-    const auto parsed = std::from_chars(token.data() + sign, token.data() + token.size(), value);
-    if (parsed.ec != std::errc() || parsed.ptr != token.data() + token.size() ||
-        !std::isfinite(value)) {
+    if (!parse(token, value)) {
       fail(fmt::format("\"{}\" is not a number; a {} should stand there", printable(token, 24),
                        what));
       return 0;
@@ -152,7 +184,7 @@ private:
       fail(fmt::format("the {} {} is not within {} .. {}", what, value, least, most));
       return 0;
     }
-    at_ = end;
+    at_ += token.size();
     return value;
   }
 
@@ -207,38 +239,38 @@ private:
 
   void read_tilt() {
     whole_number("lamp to luminaire geometry", 1, 3);
-    const int pairs = whole_number("count of tilt angles", 1, k_max_count);
+    const int pairs = whole_number("count of tilt angles", 1, k_max_angle_count);
     for (int i = 0; i < pairs && good(); ++i)
       number("tilt angle", -360, 360);
     for (int i = 0; i < pairs && good(); ++i)
-      number("tilt factor", 0, k_max_value);
+      number("tilt factor", 0, k_max_photometric_value);
   }
 
   // Returns what all candela values are to be multiplied by.
   double read_lamp(IesText& file) {
     const int lamps = whole_number("count of lamps", 0, 1e6);
-    const double lumens = number("count of lumens per lamp", -1, k_max_value);
+    const double lumens = number("count of lumens per lamp", -1, k_max_photometric_value);
     if (lumens < 0 && lumens != -1)
       fail(fmt::format("{} lumens per lamp; only -1, for absolute photometry, may be negative",
                        lumens));
-    const double multiplier = number("candela multiplier", 0, k_max_value);
-    vertical_count_ = std::size_t(whole_number("count of vertical angles", 1, k_max_count));
-    horizontal_count_ = std::size_t(whole_number("count of horizontal angles", 1, k_max_count));
+    const double multiplier = number("candela multiplier", 0, k_max_photometric_value);
+    vertical_count_ = std::size_t(whole_number("count of vertical angles", 1, k_max_angle_count));
+    horizontal_count_ =
+        std::size_t(whole_number("count of horizontal angles", 1, k_max_angle_count));
     const double directions = double(vertical_count_) * double(horizontal_count_);
     if (directions > k_max_directions)
       fail(fmt::format("{} directions are more than {}", directions, k_max_directions));
     const int type = whole_number("photometric type", 1, 3);
-    if (good() && type != 1)
-      fail(fmt::format("photometric type {} ({}) is not read; convert the file to type 1 (C)", type,
-                       type == 2 ? "B" : "A"));
+    if (good()) file.type = PhotometricType(type);
     const int units = whole_number("type of units", 1, 2);
     for (double& size : file.size_metres)
       size = number("size of the luminaire", -1e6, 1e6) * (units == 1 ? k_metres_per_foot : 1);
-    const double ballast = number("ballast factor", 0, k_max_value);
-    const double ballast_lamp =
-        number("ballast-lamp photometric factor", -k_max_value, k_max_value);
-    file.input_watts = number("count of input watts", 0, k_max_value);
+    const double ballast = number("ballast factor", 0, k_max_photometric_value);
+    const double ballast_lamp = number("ballast-lamp photometric factor", -k_max_photometric_value,
+                                       k_max_photometric_value);
+    file.input_watts = number("count of input watts", 0, k_max_photometric_value);
     file.lamp_lumens = lumens > 0 ? lumens * lamps : 0;
+    file.lamp_count = lamps;
     // Before memory is taken: each number needs a character and a blank.
     const double room = double(text_.size() - at_) / 2 + 1;
     if (good() && directions + double(vertical_count_ + horizontal_count_) > room)
@@ -254,7 +286,7 @@ private:
     return multiplier * ballast * ballast_lamp;
   }
 
-  // The year is what digits the version ends in: IESNA91, IESNA:LM-63-1995, IES:LM-63-2019.
+  // The version ends in its year: IESNA91, IESNA:LM-63-1995, IES:LM-63-2019.
   static bool is_later_than_1995(const std::string& version) {
     std::size_t digits = 0;
     while (digits < 4 && digits < version.size() && version[version.size() - 1 - digits] >= '0' &&
@@ -263,10 +295,11 @@ private:
     return digits == 4 && version.compare(version.size() - 4, 4, "1995") > 0;
   }
 
-  void read_angles(std::vector<double>& angles, std::size_t count, const char* kind, double most) {
+  void read_angles(std::vector<double>& angles, std::size_t count, const char* kind, double least,
+                   double most) {
     const std::string what = fmt::format("{} angle", kind);
     for (std::size_t i = 0; i < count && good(); ++i) {
-      const double angle = number(what.c_str(), 0, most);
+      const double angle = number(what.c_str(), least, most);
       if (good() && i > 0 && angle <= angles.back())
         fail(fmt::format("the {} {} follows {}; angles must ascend", what, angle, angles.back()));
       angles.push_back(angle);

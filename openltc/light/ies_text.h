@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/light/ies.h"
 
 #include <string>
 #include <string_view>
@@ -18,15 +19,19 @@ struct IesText {
   std::string version;
   std::string label; ///< first line that is neither keyword nor version; files of 1986
   std::vector<std::pair<std::string, std::string>> keywords;
+  PhotometricType type = PhotometricType::c;
   double lamp_lumens = 0; ///< of all lamps, 0 when photometry is absolute
+  int lamp_count = 1;
   double input_watts = 0;
   double size_metres[3] = {0, 0, 0};
-  std::vector<double> vertical_degrees;   ///< ascending, within 0 .. 180
-  std::vector<double> horizontal_degrees; ///< ascending, within 0 .. 360
-  std::vector<double> candela; ///< [horizontal][vertical], all factors applied, 0 .. 1e12
+  /// Ascending; vertical within 0 .. 180, +-180, +-90 and horizontal within 0 .. 360, +-90, +-180
+  /// degrees for types C, B, A.
+  std::vector<double> vertical_degrees, horizontal_degrees;
+  std::vector<double> candela;       ///< [horizontal][vertical], all factors applied, 0 .. 1e12
+  std::vector<std::string> warnings; ///< see IesProfile
 };
 
-/// Checks every number by itself and that angles ascend; see read_ies.
+/// Checks every number by itself and that angles ascend; see parse_ies.
 Result<IesText> parse_ies_text(std::string_view text, const std::string& name);
 
 } // namespace openltc::light

@@ -97,7 +97,7 @@ struct PunctualLight {
   PunctualType type = PunctualType::point;
   Vec3f position{0, 0, 0}; ///< world space; unused when directional
   /// Unit, world space, the way the light travels; spot, directional, and any with a profile, of
-  /// which it is the nadir, vertical angle 0.
+  /// which it is the aim, where both angles of the file are 0: the nadir of type C.
   Vec3f direction{0, 0, -1};
   /// Candela; lux when directional. With a profile, candela where the profile has its maximum: so
   /// the luminaire as measured has IesProfile::max_candela, times a colour of luminance 1.
@@ -108,9 +108,10 @@ struct PunctualLight {
   /// Intensity by direction, relative to its maximum, times the cone of a spot. Null: the same in
   /// every direction. Point and spot only.
   std::shared_ptr<const IesProfile> profile;
-  /// Unit, world space, perpendicular to `direction`: the profile's horizontal angle 0; 90 degrees
-  /// is cross(right, direction). Unused without a profile. A node of the glTF draft EXT_lights_ies,
-  /// which shines along its -Z, has it along its +Y.
+  /// Unit, world space, perpendicular to `direction`: the profile's horizontal angle 0 of type C;
+  /// 90 degrees is cross(right, direction). They are x and y of the light's own frame (ies.h).
+  /// Unused without a profile. A node of the glTF extension EXT_lights_ies, which shines along its
+  /// -Z, has it along its +X.
   Vec3f right{0, 1, 0};
 };
 

@@ -3,6 +3,7 @@
 
 #include "openltc/plot/output.h"
 
+#include "openltc/base/address_space.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/image/file.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 
@@ -67,7 +69,20 @@ Status write_figure(const std::string& path, const Figure& figure, Theme theme, 
 
 #ifdef OPENLTC_RSVG
 
+namespace {
+
+// What librsvg and the libraries below it take for fonts and threads, of which each reserves more
+// than it uses. Where one does not get it, it ends the process or waits for ever.
+constexpr std::uint64_t k_rsvg_bytes = std::uint64_t(512) << 20;
+constexpr int k_max_side = 32767; // of a picture of cairo
+
+} // namespace
+
 Result<image::Image> rasterise(const std::string& svg, double scale) {
+  if (!(scale > 0) || !std::isfinite(scale))
+    return Error{fmt::format("the scale {} is not a positive number", scale)};
+  if (!has_address_space(k_rsvg_bytes))
+    return Error{"not enough memory to draw the figure as .png; .svg needs less"};
   GError* error = nullptr;
   RsvgHandle* handle =
       rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error);
@@ -81,8 +96,18 @@ Result<image::Image> rasterise(const std::string& svg, double scale) {
   gdouble width = 0, height = 0;
   if (!rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height))
     return failure("it has no size");
-  const int columns = int(std::ceil(width * scale)), rows = int(std::ceil(height * scale));
+  const double wide = std::ceil(width * scale), high = std::ceil(height * scale);
+  if (!(wide >= 1 && high >= 1 && wide <= k_max_side && high <= k_max_side))
+    return failure(fmt::format("{}x{} pixels cannot be drawn", wide, high).c_str());
+  const int columns = int(wide), rows = int(high);
+  // Four bytes a pixel there, sixteen here.
+  if (!has_address_space(std::uint64_t(columns) * std::uint64_t(rows) * 20 + k_rsvg_bytes))
+    return failure("not enough memory for its pixels");
   cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, columns, rows);
+  if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) {
+    cairo_surface_destroy(surface);
+    return failure("not enough memory");
+  }
   cairo_t* cairo = cairo_create(surface);
   cairo_scale(cairo, scale, scale);
   const RsvgRectangle viewport{0, 0, width, height};

@@ -145,8 +145,11 @@ LightSet pack_lights(const light::Lights& lights) {
     view.cos_outer = light.cos_outer;
     if (light.profile) {
       view.profile = light.profile->view();
-      copy3(view.right, light.right);
-      copy3(view.across, cross(light.right, light.direction));
+      const light::ProfileAxes axes = light::profile_axes(
+          light.profile->type, light.right, cross(light.right, light.direction), light.direction);
+      copy3(view.profile_x, axes.x);
+      copy3(view.profile_y, axes.y);
+      copy3(view.profile_z, axes.z);
       set.profiles.push_back(light.profile);
     }
     set.punctual.push_back(view);

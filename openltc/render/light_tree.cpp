@@ -35,12 +35,55 @@ double power_of(const FarLight& far) {
   return double(length(far.moment[0]) + length(far.moment[1]) + length(far.moment[2]));
 }
 
+/// What a light counts when one is drawn. A group's is the sum of its lights'.
+float sampling_power(const LightExtent& extent) {
+  return std::min(extent.intensity.x + extent.intensity.y + extent.intensity.z, k_unbounded);
+}
+
+/// The lights of a branch, for drawing one.
+LightNode sampling_node(std::span<const TreeLight> lights) {
+  LightNode node{};
+  LightExtent box = lights.front().extent;
+  Vec3f axis(0.0f);
+  double power = 0;
+  bool any_direction = false;
+  for (const TreeLight& light : lights) {
+    const LightExtent& e = light.extent;
+    box.lower = {std::min(box.lower.x, e.lower.x), std::min(box.lower.y, e.lower.y),
+                 std::min(box.lower.z, e.lower.z)};
+    box.upper = {std::max(box.upper.x, e.upper.x), std::max(box.upper.y, e.upper.y),
+                 std::max(box.upper.z, e.upper.z)};
+    any_direction = any_direction || length(e.normal_upper - e.normal_lower) > 0;
+    axis += e.normal_lower;
+    power += double(sampling_power(e));
+  }
+  float cos_spread = -1;
+  if (!any_direction && length(axis) > 1.0e-3f * float(lights.size())) {
+    axis = normalize(axis);
+    cos_spread = 1;
+    for (const TreeLight& light : lights)
+      cos_spread = std::min(cos_spread, dot(axis, light.extent.normal_lower));
+    cos_spread = std::max(cos_spread - 1.0e-5f, -1.0f);
+  }
+  const float lower[3] = {box.lower.x, box.lower.y, box.lower.z};
+  const float upper[3] = {box.upper.x, box.upper.y, box.upper.z};
+  const float towards[3] = {axis.x, axis.y, axis.z};
+  std::copy_n(lower, 3, node.lower);
+  std::copy_n(upper, 3, node.upper);
+  std::copy_n(towards, 3, node.axis);
+  node.cos_spread = cos_spread;
+  node.sin_spread = std::sqrt(std::max(1 - cos_spread * cos_spread, 0.0f));
+  node.power = float(std::min(power, double(k_unbounded)));
+  return node;
+}
+
 } // namespace
 
 LightTree::LightTree(std::span<const TreeLight> lights) {
   order_.resize(lights.size());
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(2 * lights.size());
+  sampling_nodes_.reserve(2 * lights.size());
   if (!lights.empty()) build(lights, 0, std::int32_t(lights.size()));
   double sum = 0;
   cdf_.push_back(0);
@@ -61,7 +104,11 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
     together.push_back(lights[std::size_t(i)]);
   node.light = united(together);
   nodes_.push_back(node);
-  if (members.size() == 1) return;
+  sampling_nodes_.push_back(sampling_node(together));
+  if (members.size() == 1) {
+    sampling_nodes_.back().light = members.front();
+    return;
+  }
 
   // Split in halves along the feature that differs most.
   const LightExtent& extent = node.light.extent;
@@ -87,7 +134,7 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
   const std::int32_t half = (end - begin) / 2;
   std::nth_element(members.begin(), members.begin() + half, members.end(), before);
   build(lights, begin, begin + half);
-  nodes_[index].right = std::int32_t(nodes_.size());
+  nodes_[index].right = sampling_nodes_[index].right = std::int32_t(nodes_.size());
   build(lights, begin + half, end);
 }
 
@@ -98,14 +145,12 @@ double LightTree::spacing() const {
   return double(length(all.upper - all.lower)) / std::sqrt(double(order_.size()));
 }
 
-std::size_t LightTree::choose(const BatchBounds& batch, double tolerance, std::size_t most_exact,
+std::size_t LightTree::choose(const BatchBounds& batch, double tolerance,
                               LightChoice& choice) const {
   using Entry = LightChoice::Entry;
   const PreparedBatch prepared(batch);
   std::vector<Entry>& cut = choice.cut;
-  choice.leaves.clear();
-  choice.exact.clear();
-  choice.far.clear();
+  choice.entries.clear();
   cut.clear();
   double error = 0;  // of the bounded entries of the cut
   int unbounded = 0; // entries of the cut
@@ -149,62 +194,103 @@ std::size_t LightTree::choose(const BatchBounds& batch, double tolerance, std::s
       --unbounded;
     const Node& node = nodes_[std::size_t(entry.node)];
     if (node.right == 0) {
-      choice.leaves.push_back(entry);
+      choice.entries.push_back(entry);
       continue;
     }
     add(entry.node + 1);
     add(node.right);
   }
+  choice.single_count = choice.entries.size();
 
   // Leave out what the rest of the tolerance allows, dimmest first.
   error = cut.empty() ? 0.0 : error;
   std::sort(cut.begin(), cut.end(), [](const Entry& a, const Entry& b) {
     return a.bound.all != b.bound.all ? a.bound.all < b.bound.all : a.node < b.node;
   });
-  double bounds = 0;
-  const auto add_group = [&](const Entry& entry, bool exact) {
-    const Node& node = nodes_[std::size_t(entry.node)];
-    const FarLight& far = node.light.far;
-    FarGroup group;
-    const float center[3] = {far.center.x, far.center.y, far.center.z};
-    std::copy_n(center, 3, group.center);
-    for (int c = 0; c < 3; ++c) {
-      const float moment[3] = {far.moment[c].x, far.moment[c].y, far.moment[c].z};
-      std::copy_n(moment, 3, group.moment[c]);
-    }
-    group.specular = entry.bound.far_specular;
-    group.exact = exact;
-    bounds += double(entry.bound.all);
-    group.cdf = float(bounds);
-    group.begin = node.begin;
-    group.end = node.end;
-    choice.far.push_back(group);
-  };
-  std::sort(choice.leaves.begin(), choice.leaves.end(), [](const Entry& a, const Entry& b) {
-    return a.bound.all != b.bound.all ? a.bound.all > b.bound.all : a.node < b.node;
-  });
-  for (const Entry& entry : choice.leaves) {
-    const Node& node = nodes_[std::size_t(entry.node)];
-    if (choice.exact.size() >= most_exact && node.light.far.valid)
-      add_group(entry, true);
-    else
-      choice.exact.push_back(order_[std::size_t(node.begin)]);
-  }
   for (const Entry& entry : cut) {
     if (entry.bound.all <= entry.bound.far_error) continue;
     const double more = double(entry.bound.all) - double(entry.bound.far_error);
-    if (error + more <= tolerance) {
+    if (error + more <= tolerance)
       error += more;
-      continue;
-    }
-    add_group(entry, false);
+    else
+      choice.entries.push_back(entry);
   }
-  for (FarGroup& group : choice.far)
-    group.cdf = float(double(group.cdf) / bounds);
-  if (!choice.far.empty()) choice.far.back().cdf = 1;
-  std::sort(choice.exact.begin(), choice.exact.end());
   choice.error_nits = error;
   return bounded;
+}
+
+FarGroup LightTree::group_of(const LightChoice::Entry& entry, bool exact) const {
+  const Node& node = nodes_[std::size_t(entry.node)];
+  const FarLight& far = node.light.far;
+  FarGroup group{};
+  const float center[3] = {far.center.x, far.center.y, far.center.z};
+  std::copy_n(center, 3, group.center);
+  for (int c = 0; c < 3; ++c) {
+    const float moment[3] = {far.moment[c].x, far.moment[c].y, far.moment[c].z};
+    std::copy_n(moment, 3, group.moment[c]);
+  }
+  group.specular = entry.bound.far_specular;
+  group.exact = exact;
+  group.begin = node.begin;
+  group.end = node.end;
+  return group;
+}
+
+void LightTree::arrange(std::size_t most_exact, LightChoice& choice) const {
+  // Of what a light may add, as much as reaches the points; a little for what may have been missed.
+  const auto expected = [&](std::size_t i) {
+    const LightChoice::Entry& e = choice.entries[i];
+    return double(e.bound.all) * (0.05 + 0.95 * double(e.reach));
+  };
+  std::vector<std::uint32_t>& own = choice.exact_entry;
+  std::vector<std::uint32_t>& shared = choice.far_entry;
+  own.resize(choice.single_count);
+  std::iota(own.begin(), own.end(), 0u);
+  std::sort(own.begin(), own.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double ea = expected(a), eb = expected(b);
+    return ea != eb ? ea > eb : choice.entries[a].node < choice.entries[b].node;
+  });
+  shared.clear();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Node& node = nodes_[std::size_t(choice.entries[own[i]].node)];
+    if (kept >= most_exact && node.light.far.valid)
+      shared.push_back(own[i]);
+    else
+      own[kept++] = own[i];
+  }
+  own.resize(kept);
+  const auto light_of = [&](std::uint32_t entry) {
+    return order_[std::size_t(nodes_[std::size_t(choice.entries[entry].node)].begin)];
+  };
+  std::sort(own.begin(), own.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return light_of(a) < light_of(b); });
+  choice.exact.clear();
+  for (const std::uint32_t entry : own)
+    choice.exact.push_back(light_of(entry));
+
+  for (std::size_t i = choice.single_count; i < choice.entries.size(); ++i)
+    shared.push_back(std::uint32_t(i));
+  const auto hidden = std::stable_partition(
+      shared.begin(), shared.end(), [&](std::uint32_t i) { return choice.entries[i].reach > 0; });
+  choice.far.clear();
+  choice.far_open = std::size_t(hidden - shared.begin());
+  for (const std::uint32_t entry : shared)
+    choice.far.push_back(group_of(choice.entries[entry], entry < choice.single_count));
+  // Shares of the samples, by what is expected.
+  const auto share = [&](std::size_t begin, std::size_t end) {
+    double total = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      total += expected(shared[i]);
+    double running = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      running += expected(shared[i]);
+      choice.far[i].cdf = float(running / total);
+    }
+    if (begin < end) choice.far[end - 1].cdf = 1;
+  };
+  share(0, choice.far_open);
+  share(choice.far_open, shared.size());
 }
 
 } // namespace openltc::render

@@ -16,16 +16,25 @@ namespace openltc::render {
 
 /// How a batch of surface points is to be lit.
 struct LightChoice {
-  std::vector<std::int32_t> exact; ///< numbers of the lights to shade one by one, ascending
-  std::vector<FarGroup> far;       ///< groups, and single lights, whose shadows are taken together
-  double error_nits = 0;           ///< bound of what all this differs from shading every light
-  /// Working memory.
+  /// A light to shade by itself, or a group to shade in its far form.
   struct Entry {
-    float error;
+    float error; ///< of its cheaper form, at most
     std::int32_t node;
     LightBound bound;
+    /// The share of its light that nothing blocks, 0 to 1, as far as is known.
+    float reach = 1;
   };
-  std::vector<Entry> cut, leaves;
+  std::vector<Entry> entries; ///< the choice; lights by themselves come first
+  std::size_t single_count = 0;
+  double error_nits = 0; ///< bound of what all this differs from shading every light
+
+  // What arrange() makes of the entries, and whose each is.
+  std::vector<std::int32_t> exact; ///< numbers of the lights to shade one by one, ascending
+  std::vector<FarGroup> far;       ///< groups, and single lights, whose shadows are taken together
+  std::size_t far_open = 0;        ///< the first so many have a reach, the rest have none
+  std::vector<std::uint32_t> exact_entry, far_entry;
+
+  std::vector<Entry> cut; ///< working memory
 };
 
 class LightTree {
@@ -33,12 +42,14 @@ public:
   LightTree() = default;
   explicit LightTree(std::span<const TreeLight> lights);
 
-  /// Chooses how to light a batch so that the radiance of each point, in the closed form without
-  /// shadow, is within `tolerance` nits, in any channel, of that of all lights.
-  /// Of the lights to shade one by one, those after the `most_exact` with the largest bounds join
-  /// the groups, if they have a far form. Returns the number of bounds that this took.
-  std::size_t choose(const BatchBounds& batch, double tolerance, std::size_t most_exact,
-                     LightChoice& choice) const;
+  /// Chooses the entries with which to light a batch so that the radiance of each point, in the
+  /// closed form without shadow, is within `tolerance` nits, in any channel, of that of all lights.
+  /// Returns the number of bounds that this took.
+  std::size_t choose(const BatchBounds& batch, double tolerance, LightChoice& choice) const;
+
+  /// Says which lights have shadows of their own: the `most_exact` from which most arrives, and
+  /// those without far form. All others join the groups.
+  void arrange(std::size_t most_exact, LightChoice& choice) const;
 
   /// Typical distance from a light to the next, in metres.
   double spacing() const;
@@ -47,6 +58,8 @@ public:
   std::span<const std::int32_t> order() const { return order_; }
   /// The running sum of their power, one more than there are lights; 0 for those without far form.
   std::span<const float> cdf() const { return cdf_; }
+  /// The tree as the reference draws lights from it, see LightNodes.
+  std::span<const LightNode> nodes() const { return sampling_nodes_; }
 
 private:
   struct Node {
@@ -56,8 +69,11 @@ private:
   };
 
   void build(std::span<const TreeLight> lights, std::int32_t begin, std::int32_t end);
+  FarGroup group_of(const LightChoice::Entry& entry, bool exact) const;
 
   std::vector<Node> nodes_;
+  std::vector<LightNode> sampling_nodes_;
+
   std::vector<std::int32_t> order_;
   std::vector<float> cdf_;
 };

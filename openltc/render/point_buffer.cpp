@@ -97,6 +97,20 @@ std::size_t PointBuffer::split(Range range, PointField field) {
   return range.begin + half;
 }
 
+void PointBuffer::thin(Range range, std::size_t count, PointBuffer& to) const {
+  count = std::min({count, range.size(), to.capacity_ - to.count_});
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t from = range.begin + (2 * k + 1) * range.size() / (2 * count);
+    const std::size_t i = to.count_++;
+    for (std::size_t f = 0; f < fields_.size(); ++f)
+      to.fields_[f][i] = fields_[f][from];
+    to.seed_[i] = seed_[from];
+    to.index_[i] = index_[from];
+    to.sample_[i] = to.pixel_[i] = std::uint32_t(i);
+    to.weight_[i] = 1;
+  }
+}
+
 void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, Range range,
                         const ShadingBatch& batch, std::vector<Vec3f>& samples) {
   kernel.shade(context, batch);
@@ -114,9 +128,8 @@ void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, Rang
   chosen.lights = lighting.lights.empty() ? &none : lighting.lights.data();
   chosen.slots = lighting.slots.data();
   chosen.light_count = int(lighting.lights.size());
-  chosen.far = lighting.far.data();
-  chosen.far_count = int(lighting.far.size());
-  chosen.far_slot = lighting.far_slot;
+  for (int i = 0; i < 2; ++i)
+    chosen.far[i] = lighting.far[i];
   shade(kernel, context, range, chosen, samples);
 }
 

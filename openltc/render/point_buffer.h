@@ -26,8 +26,7 @@ struct PointTarget {
 /// The lights of a batch; see the fields of ShadingBatch.
 struct Lighting {
   std::span<const std::int32_t> lights, slots;
-  std::span<const FarGroup> far;
-  int far_slot = 0;
+  FarSet far[2];
 };
 
 class PointBuffer {
@@ -53,6 +52,10 @@ public:
   /// Orders a range so that `field` is nowhere larger in its first half than in its second; returns
   /// where that one begins. There must be more than k_batch_padding points.
   std::size_t split(Range range, PointField field);
+
+  /// Appends about `count` points of a range, evenly chosen, to another buffer that has room; entry
+  /// and pixel of the i-th are i, its weight is 1.
+  void thin(Range range, std::size_t count, PointBuffer& to) const;
 
   /// Shades a range as `lighting` says and adds to `samples` and `ratio_sums` (see ShadingBatch).
   /// Ranges must be shaded in ascending order.

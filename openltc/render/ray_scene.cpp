@@ -3,6 +3,7 @@
 
 #include "openltc/render/ray_scene.h"
 
+#include "openltc/base/address_space.h"
 #include "openltc/render/embree.h"
 #include "openltc/render/surface_point.h"
 
@@ -96,6 +97,10 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
                                                    const TextureSet& textures) {
   std::unique_ptr<RayScene> result(new RayScene);
   State& state = *result->state_;
+  // Embree that gets no memory for its threads, of 8 MiB of stack each, waits for ever.
+  const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
+  if (!has_address_space((std::uint64_t(64) << 20) + threads * (std::uint64_t(16) << 20)))
+    return Error{"not enough memory to start Embree; raise the limit (ulimit -v)"};
   state.device = rtcNewDevice(nullptr);
   if (!state.device)
     return Error{fmt::format("Embree cannot start on this machine (error {})",

@@ -11,6 +11,7 @@
 #include "openltc/base/sampling.h"
 #include "openltc/image/file.h"
 #include "openltc/render/camera_rays.h"
+#include "openltc/render/light_chooser.h"
 #include "openltc/render/light_level.h"
 #include "openltc/render/light_set.h"
 #include "openltc/render/light_tree.h"
@@ -24,8 +25,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <optional>
 
 namespace openltc::render {
 
@@ -40,14 +41,12 @@ constexpr std::size_t k_batch = 4096; // surface points per kernel call
 constexpr std::uint32_t k_purpose_pixel = 0;
 // Fewer lights than this are all shaded: choosing among them costs as much.
 constexpr int k_min_lights_to_choose = 6;
-// Costs in terms of shading one point by one light without shadow: bounding a node of the light
-// tree for a range of points, shading by a far group, shading with shadow rays.
-constexpr double k_choosing_cost = 18, k_far_cost = 0.3, k_traced_cost = 20;
-constexpr double k_wide = 1; // points so far apart, or so turned, are split at once
-// Lights of a range of points that have shadow rays of their own; dimmer ones share a ratio.
-constexpr std::size_t k_most_traced = 16;
-constexpr std::size_t k_smallest_range = 32; // points that are not split any more, two registers
-constexpr std::int32_t k_far_lights = -1;    // whose sums a slot holds, when no single light's
+// From so many lights on the reference draws some for each sample instead of taking all.
+constexpr int k_min_lights_to_draw = 128;
+constexpr int k_drawn_lights = 96;
+// Whose sums a slot holds, when no single light's: groups that reach the points, and those that do
+// not.
+constexpr std::int32_t k_far_lights = -1, k_hidden_lights = -2;
 
 static_assert(k_tile == RayPacket::k_size);
 
@@ -64,8 +63,7 @@ struct Job {
   Kernel kernel;
   KernelContext context;
   const LightTree* tree; ///< null: all lights shade all points
-  double tolerance_nits; ///< of what the tree chooses
-  double light_spacing;  ///< metres, typical distance from one light to the next
+  LightErrorScale error_scale;
 };
 
 /// What shading took, over all tiles.
@@ -85,7 +83,9 @@ class Tile {
 public:
   Tile(const Job& job, int x0, int y0)
       : job_(job), x0_(x0), y0_(y0), width_(std::min(k_tile, job.options.width - x0)),
-        height_(std::min(k_tile, job.options.height - y0)), points_(k_batch) {}
+        height_(std::min(k_tile, job.options.height - y0)), points_(k_batch) {
+    if (job.tree) chooser_.emplace(job.kernel, job.context, *job.tree, job.error_scale);
+  }
 
   void render(Picture& picture, ShadingWork& work) {
     const int samples = job_.options.samples;
@@ -94,12 +94,11 @@ public:
     if (needs_ratio(job_.context))
       slot_of_light_.assign(std::size_t(job_.context.area_light_count), -1);
     if (!job_.tree) {
-      choice_.exact.resize(std::size_t(job_.context.area_light_count));
-      std::iota(choice_.exact.begin(), choice_.exact.end(), 0);
+      all_lights_.exact.resize(std::size_t(job_.context.area_light_count));
+      std::iota(all_lights_.exact.begin(), all_lights_.exact.end(), 0);
     }
     const int chunk = std::clamp(int(k_batch) / pixels, 1, samples);
     for (int first = 0; first < samples; first += chunk) {
-      if (interrupted()) return;
       const int count = std::min(chunk, samples - first);
       samples_.assign(std::size_t(pixels * count), Vec3f(0.0f));
       for (int s = 0; s < count; ++s)
@@ -139,74 +138,34 @@ public:
 private:
   void shade_points() {
     if (points_.empty()) return;
-    shade_range(points_.all());
+    const auto shade = [&](PointBuffer::Range range, const LightChoice& choice) {
+      shade_range(range, choice);
+    };
+    if (chooser_)
+      chooser_->light(points_, points_.all(), shade);
+    else
+      shade(points_.all(), all_lights_);
     points_.clear();
   }
 
-  // Shades points that are near to each other: where they are not, their lights are bounded badly
-  // and it pays to choose for each half. What is paid and gained is counted in what they shade.
-  void shade_range(PointBuffer::Range range) {
-    const std::size_t most_exact =
-        job_.context.trace ? k_most_traced : std::numeric_limits<std::size_t>::max();
-    if (job_.tree) {
-      const BatchBounds bounds = points_.measure(job_.kernel, job_.context, range);
-      const Width width = widest_field(bounds);
-      bool split = false;
-      if (range.size() >= 2 * k_smallest_range) {
-        split = width.relative > k_wide && range.size() >= 4 * k_smallest_range;
-        if (!split) {
-          const std::size_t nodes =
-              job_.tree->choose(bounds, job_.tolerance_nits, most_exact, choice_);
-          const double lights =
-              double(choice_.exact.size()) + k_far_cost * double(choice_.far.size());
-          const double shading =
-              double(range.size()) * lights * (job_.context.trace ? k_traced_cost : 1.0);
-          split = shading * std::min(width.relative, 1.0) > k_choosing_cost * double(nodes);
-        }
-      } else {
-        job_.tree->choose(bounds, job_.tolerance_nits, most_exact, choice_);
-      }
-      if (split) {
-        const std::size_t middle = points_.split(range, width.field);
-        shade_range({range.begin, middle});
-        shade_range({middle, range.end});
-        return;
-      }
-    }
+  void shade_range(PointBuffer::Range range, const LightChoice& choice) {
     Lighting lighting;
-    if (needs_ratio(job_.context)) lighting.far_slot = give_slots();
-    lighting.lights = choice_.exact;
+    lighting.far[0] = {choice.far.data(), int(choice.far_open), 0, k_far_light_samples, nullptr};
+    lighting.far[1] = {choice.far.data() + choice.far_open,
+                       int(choice.far.size() - choice.far_open), 0, k_hidden_light_samples,
+                       nullptr};
+    if (needs_ratio(job_.context)) give_slots(choice, lighting);
+    lighting.lights = choice.exact;
     lighting.slots = slots_;
-    lighting.far = choice_.far;
     const std::int64_t count = std::int64_t(range.size());
     points_shaded_ += count;
-    exact_ += count * std::int64_t(choice_.exact.size());
-    far_ += count * std::int64_t(choice_.far.size());
+    exact_ += count * std::int64_t(choice.exact.size());
+    far_ += count * std::int64_t(choice.far.size());
     points_.shade(job_.kernel, job_.context, range, lighting, samples_, ratio_sums_, k_tile_pixels);
   }
 
-  // By what points differ most: turned by a radian counts as much as being apart by the distance of
-  // the lights from each other.
-  struct Width {
-    PointField field = k_position_x;
-    double relative = 0; ///< to the distance of the lights from each other
-  };
-  Width widest_field(const BatchBounds& bounds) const {
-    static constexpr std::pair<int, PointField> fields[] = {
-        {k_bound_position, k_position_x},     {k_bound_position + 1, k_position_y},
-        {k_bound_position + 2, k_position_z}, {k_bound_normal, k_normal_x},
-        {k_bound_normal + 1, k_normal_y},     {k_bound_normal + 2, k_normal_z}};
-    Width widest;
-    for (const auto& [bound, field] : fields) {
-      const double extent = double(bounds.upper[bound]) - double(bounds.lower[bound]);
-      const double relative = field < k_normal_x ? extent / job_.light_spacing : extent;
-      if (relative > widest.relative) widest = {field, relative};
-    }
-    return widest;
-  }
-
-  // Sums for the lights that this tile meets for the first time. Returns those of far groups.
-  int give_slots() {
+  // Sums for the lights that this tile meets for the first time.
+  void give_slots(const LightChoice& choice, Lighting& lighting) {
     const auto slot_for = [&](std::int32_t light, std::int32_t& slot) {
       if (slot < 0) {
         slot = std::int32_t(light_of_slot_.size());
@@ -215,12 +174,13 @@ private:
       return slot;
     };
     slots_.clear();
-    for (const std::int32_t light : choice_.exact)
+    for (const std::int32_t light : choice.exact)
       slots_.push_back(slot_for(light, slot_of_light_[std::size_t(light)]));
-    if (!choice_.far.empty()) slot_for(k_far_lights, far_slot_);
+    for (int i = 0; i < 2; ++i)
+      if (lighting.far[i].count > 0)
+        lighting.far[i].slot = slot_for(i == 0 ? k_far_lights : k_hidden_lights, far_slots_[i]);
     ratio_sums_.resize(light_of_slot_.size() * k_ratio_sum_count * std::size_t(k_tile_pixels),
                        0.0f);
-    return far_slot_;
   }
 
   // Light of all area lights in a pixel, summed over its camera samples: the closed form times the
@@ -235,7 +195,7 @@ private:
         const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
         const double shadowed = sums[(k_shadowed_r + c) * k_tile_pixels];
         const double ratio = unshadowed > 0 ? shadowed / unshadowed : 1.0;
-        if (light == k_far_lights) return closed * ratio;
+        if (light < 0) return closed * ratio; // of groups
         return closed * ratio * double(job_.context.area_lights[light].radiance[c]);
       };
       total += Vec3d(channel(0), channel(1), channel(2));
@@ -316,11 +276,12 @@ private:
   int x0_, y0_, width_, height_;
   PointBuffer points_;
   std::vector<Vec3f> samples_;
-  LightChoice choice_; // for the points in work
+  std::optional<LightChooser> chooser_;
+  LightChoice all_lights_; // without one
   // Sums of the shadow ratio, see ShadingBatch, and whose they are; empty unless it is needed.
   std::vector<float> ratio_sums_;
   std::vector<std::int32_t> slots_, slot_of_light_, light_of_slot_;
-  std::int32_t far_slot_ = -1;
+  std::int32_t far_slots_[2] = {-1, -1};
   std::int64_t points_shaded_ = 0, exact_ = 0, far_ = 0;
 };
 
@@ -356,7 +317,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 
-  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, 0, 0};
+  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, {}};
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
@@ -381,22 +342,26 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   }
 
   LightTree tree;
-  if (!reference && options.light_error > 0 && context.area_light_count >= k_min_lights_to_choose) {
+  const int count = context.area_light_count;
+  if (reference ? count >= k_min_lights_to_draw
+                : options.light_error > 0 && count >= k_min_lights_to_choose)
     tree = LightTree(lights.tree_lights);
+  if (reference && !tree.nodes().empty()) {
+    context.light_nodes = {tree.nodes().data(), k_drawn_lights};
+  } else if (!tree.nodes().empty()) {
     context.far_lights.order = tree.order().data();
     context.far_lights.cdf = tree.cdf().data();
     for (const AreaLightView& light : lights.area_lights)
       context.far_lights.surface_deviation =
           std::max(context.far_lights.surface_deviation, 1.5f * light.surface_deviation);
     job.tree = &tree;
-    job.light_spacing = tree.spacing();
-    job.tolerance_nits = double(options.light_error) *
-                         light_level_nits(scene, textures, **rays, camera_rays, options.width,
-                                          options.height, kernel, context, options.threads);
+    job.error_scale = {double(options.light_error),
+                       light_level_nits(scene, textures, **rays, camera_rays, options.width,
+                                        options.height, kernel, context, options.threads)};
   }
 
   Picture picture;
-  picture.light_error_nits = job.tolerance_nits;
+  picture.light_error_nits = job.error_scale.light_error * job.error_scale.view_nits;
   picture.radiance = image::Image(options.width, options.height, 3);
   picture.standard_error = image::Image(options.width, options.height, 3);
   picture.kernel = kernel.name;
@@ -410,12 +375,10 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   {
     Progress progress("rendering", std::int64_t(columns) * rows, options.quiet);
     parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
-      if (interrupted()) return;
       Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, work);
       progress.add(1);
     });
   }
-  if (interrupted()) return Error{"interrupted; nothing was written"};
   const double points = double(std::max<std::int64_t>(work.points, 1));
   picture.lights_per_point = double(work.exact) / points;
   picture.far_groups_per_point = double(work.far) / points;

@@ -63,8 +63,18 @@ struct FarGroup {
   float moment[3][3]; ///< sum of radiance times area times normal, for r, g and b
   bool exact;         ///< a single light, shaded in full; only its shadow is that of the groups
   bool specular;      ///< whether there is a specular part worth having
-  float cdf;          ///< running share of the shadow samples, 1 for the last group
+  float cdf;          ///< running share of the shadow samples, 1 for the last group of a set
   std::int32_t begin, end; ///< its lights, in FarLights::order
+};
+
+/// Groups whose shadow is one: of all their light together, over the samples that they share.
+struct FarSet {
+  const FarGroup* groups = nullptr;
+  int count = 0;
+  int slot = 0;    ///< of their sums, which are with the lights' radiance
+  int samples = 0; ///< shadow samples, in those of a light with a shadow of its own
+  /// Null, or for each group the sum of its samples without and with shadow, which are added here.
+  float* reach = nullptr;
 };
 
 /// Surface points in, radiance out. The arrays are padded to a multiple of k_batch_padding.
@@ -85,10 +95,10 @@ struct ShadingBatch {
   const std::int32_t* lights = nullptr;
   const std::int32_t* slots = nullptr;
   int light_count = 0;
-  /// Groups of further lights, and the slot of their sums, which are with the lights' radiance.
-  const FarGroup* far = nullptr;
-  int far_count = 0;
-  int far_slot = 0;
+  /// Groups of further lights: those that reach points like these, and those that were found behind
+  /// something. Apart, since bright lights that reach nothing would drown the others' shadow in
+  /// noise.
+  FarSet far[2];
 };
 
 inline constexpr int k_batch_padding = 16;
@@ -126,6 +136,24 @@ struct FarLights {
   float surface_deviation = 0;         ///< largest of the lights, with its factor of safety
 };
 
+/// A light, or all lights of a branch of the light tree, as the choice of a light for a sample sees
+/// them. Nodes lie in the order of a walk: the first child is the next node.
+struct LightNode {
+  float lower[3], upper[3]; ///< box around the lights, world space
+  float axis[3];            ///< around which their normals lie
+  float cos_spread;         ///< of the largest angle between the axis and one; -1: any direction
+  float sin_spread;
+  float power;        ///< peak luminous intensities, summed
+  std::int32_t right; ///< second child; 0 = a leaf
+  std::int32_t light; ///< of a leaf
+};
+
+/// A tree from which the reference draws lights with known probabilities.
+struct LightNodes {
+  const LightNode* nodes = nullptr; ///< null: every sample takes all lights
+  int samples = 0; ///< lights that a group of points draws, at most k_most_drawn_lights
+};
+
 struct PunctualLightView {
   float position[3] = {0, 0, 0};
   float direction[3] = {0, 0, -1}; ///< the way the light travels
@@ -135,8 +163,8 @@ struct PunctualLightView {
   float cos_inner = 1, cos_outer = -1;
   bool directional = false;
   ProfileView profile;          ///< no values: the same in every direction
-  float right[3] = {0, 1, 0};   ///< the profile's horizontal angle 0
-  float across[3] = {-1, 0, 0}; ///< its horizontal angle 90 degrees
+  /// The profile's own axes, world space: see light::ProfileAxes.
+  float profile_x[3] = {0, 1, 0}, profile_y[3] = {-1, 0, 0}, profile_z[3] = {0, 0, -1};
 };
 
 /// Rays of one register's lanes; a ray runs from origin to origin + direction.
@@ -159,6 +187,7 @@ struct KernelContext {
   const AreaLightView* area_lights = nullptr;
   int area_light_count = 0;
   FarLights far_lights;
+  LightNodes light_nodes; ///< of the reference
   const PunctualLightView* punctual = nullptr;
   int punctual_count = 0;
   Integrator integrator = Integrator::ltc;
@@ -172,8 +201,13 @@ struct KernelContext {
 inline constexpr int k_max_brdf_samples = 64;
 /// Polygons of so many triangles are sampled by their solid angle, others by their area.
 inline constexpr int k_max_angle_triangles = 8;
-/// All groups of far lights together take as many shadow samples as this many lights.
-inline constexpr int k_far_light_samples = 4;
+/// All groups of far lights that reach a point together take as many shadow samples as this many
+/// lights; those that were found not to reach it as many as that.
+inline constexpr int k_far_light_samples = 4, k_hidden_light_samples = 2;
+
+inline constexpr int k_most_drawn_lights = 256;
+/// More than the depth of any light tree, which is that of the logarithm of the number of lights.
+inline constexpr int k_light_tree_depth = 64;
 
 using ShadeFunction = void (*)(const KernelContext& context, const ShadingBatch& batch);
 /// Finds the bounds of the points of a batch, of which it needs only `count` (not 0) and `in`.

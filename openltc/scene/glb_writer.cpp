@@ -7,10 +7,12 @@
 
 #include "openltc/base/atomic_file.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_ies_light.h"
 #include "openltc/scene/gltf_uri.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -125,11 +127,39 @@ void embed_images(Json& root, Binary& binary, const std::string& base_dir) {
   }
 }
 
+constexpr const char* k_buffers = "/buffers";
+constexpr const char* k_images = "/images";
+constexpr const char* k_profiles = "/extensions/EXT_lights_ies/lights";
+
 bool has_uri(const Json& root, const char* array) {
-  if (!root.contains(array)) return false;
-  for (const Json& object : root[array])
-    if (object.contains("uri")) return true;
+  const Json::json_pointer pointer(array);
+  if (!root.contains(pointer) || !root[pointer].is_array()) return false;
+  for (const Json& object : root[pointer])
+    if (object.is_object() && object.contains("uri")) return true;
   return false;
+}
+
+// A file that is not there, or of another format than the extension's, keeps its reference.
+void embed_profiles(Json& root, Binary& binary, const std::string& base_dir) {
+  const Json::json_pointer pointer(k_profiles);
+  for (std::size_t i = 0; i < root[pointer].size(); ++i) {
+    if (!root[pointer][i].is_object() || !root[pointer][i].contains("uri") ||
+        !root[pointer][i]["uri"].is_string())
+      continue;
+    std::vector<std::uint8_t> bytes;
+    try {
+      bytes = read_uri(root[pointer][i]["uri"].get<std::string>(), base_dir, "");
+    } catch (const Failure&) {
+      continue;
+    }
+    constexpr std::string_view tilt = "TILT";
+    if (std::search(bytes.begin(), bytes.end(), tilt.begin(), tilt.end()) == bytes.end()) continue;
+    const std::size_t view = add_view(root, binary, bytes);
+    Json& light = root[pointer][i];
+    light.erase("uri");
+    light["bufferView"] = view;
+    light["mimeType"] = k_ies_mime_type;
+  }
 }
 
 void put_u32(std::vector<std::uint8_t>& out, std::uint32_t value) {
@@ -139,11 +169,27 @@ void put_u32(std::vector<std::uint8_t>& out, std::uint32_t value) {
 
 } // namespace
 
+std::size_t add_view(Json& root, Binary& binary, std::span<const std::uint8_t> bytes) {
+  if (!binary.exists) {
+    embed_buffers(root, binary, ""); // placeholders of EXT_meshopt_compression make room
+    if (!root.contains("buffers")) root["buffers"] = Json::array({{{"byteLength", 0}}});
+  }
+  const std::size_t offset = append(binary, bytes);
+  root["buffers"][0]["byteLength"] = binary.bytes.size();
+  root["bufferViews"].push_back(
+      {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes.size()}});
+  return root["bufferViews"].size() - 1;
+}
+
 void embed_references(Json& root, Binary& binary, const std::string& base_dir) {
-  const bool has_buffers = has_uri(root, "buffers"), has_images = has_uri(root, "images");
-  if (!has_buffers && !has_images) return;
-  embed_buffers(root, binary, base_dir);
-  embed_images(root, binary, base_dir);
+  const bool has_buffers = has_uri(root, k_buffers), has_images = has_uri(root, k_images);
+  if (has_buffers || has_images) {
+    embed_buffers(root, binary, base_dir);
+    embed_images(root, binary, base_dir);
+  }
+  const bool has_profiles = has_uri(root, k_profiles);
+  if (has_profiles) embed_profiles(root, binary, base_dir);
+  if (!has_buffers && !has_images && !has_profiles) return;
   if (binary.exists)
     root["buffers"][0]["byteLength"] = binary.bytes.size();
   else if (root.contains("buffers") && root["buffers"].size() == 1)

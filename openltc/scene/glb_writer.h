@@ -21,9 +21,15 @@ struct Binary {
   bool exists = false;
 };
 
-/// Moves the buffers and pictures that `root` refers to by URI into `binary`, which holds those of
-/// buffers[0] if it has none, and turns the references over. Pictures that are not there or of no
-/// known kind keep their URI. Throws Failure when a buffer cannot be read.
+/// Adds `bytes` as a buffer view of the binary chunk, which `root` may lack, and returns its index.
+/// The buffers of `root` refer to nothing outside any more.
+std::size_t add_view(nlohmann::ordered_json& root, Binary& binary,
+                     std::span<const std::uint8_t> bytes);
+
+/// Moves the buffers, pictures and photometric files of EXT_lights_ies that `root` refers to by URI
+/// into `binary`, which holds those of buffers[0] if it has none, and turns the references over.
+/// Pictures that are not there or of no known kind keep their URI. Throws Failure when a buffer
+/// cannot be read.
 void embed_references(nlohmann::ordered_json& root, Binary& binary, const std::string& base_dir);
 
 /// Writes both to `path`, whole or not at all. The error names `path`.

@@ -14,6 +14,7 @@
 
 #include "openltc/scene/gltf_document.h"
 
+#include "openltc/base/file_place.h"
 #include "openltc/scene/gltf_extensions.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_meshopt.h"
@@ -254,6 +255,26 @@ void parse_with_tinygltf(const json& root, tinygltf::Model& model) {
   fail("JSON", error + "; export the file again");
 }
 
+// What the file refers to is the user's, also what nothing here reads: no output may replace it.
+void note_references(const json& root, const std::string& base_dir) {
+  std::vector<const json*> left = {&root};
+  while (!left.empty()) {
+    const json& object = *left.back();
+    left.pop_back();
+    for (const auto& member : object.items()) {
+      const json& value = member.value();
+      if (value.is_structured()) left.push_back(&value);
+      if (member.key() != "uri" || !value.is_string()) continue;
+      const std::string& uri = value.get_ref<const std::string&>();
+      if (uri.rfind("data:", 0) == 0) continue;
+      try {
+        note_input(resolve_uri(uri, base_dir, ""));
+      } catch (const Failure&) { // whoever needs it says so
+      }
+    }
+  }
+}
+
 } // namespace
 
 std::string node_label(std::size_t index, const std::string& name) {
@@ -269,6 +290,7 @@ void read_document(const Container& container, const std::string& base_dir, Docu
   check_schema(root);
   check_version(root);
   document.base_dir = base_dir;
+  note_references(root, base_dir);
 
   check_extensions(root.value("extensionsUsed", std::vector<std::string>()),
                    root.value("extensionsRequired", std::vector<std::string>()), document);
@@ -277,6 +299,7 @@ void read_document(const Container& container, const std::string& base_dir, Docu
   list_images(root, document);
   read_extras(root, document);
   take_animations_and_skins(root, document);
+  document.ies_lights = list_ies_lights(root, document.warnings);
   reduce_for_tinygltf(root);
   const int placeholder = add_placeholder_view(root);
   parse_with_tinygltf(root, *document.model);

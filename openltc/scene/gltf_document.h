@@ -7,6 +7,7 @@
 
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_extras.h"
+#include "openltc/scene/gltf_ies_light.h"
 #include "openltc/scene/warnings.h"
 
 #include <cstddef>
@@ -63,6 +64,8 @@ struct Document {
   std::vector<FileAnimation> animations;     ///< those whose structure is right
   std::vector<nlohmann::json> skins;         ///< null where the structure is wrong
   std::vector<int> node_skins;               ///< of each node, -1 = none
+  IesLights ies_lights;                      ///< of EXT_lights_ies
+  ProfileFiles profiles;
   Warnings warnings;
 
   std::vector<std::vector<std::uint8_t>> storage; ///< what the views point into

@@ -9,10 +9,12 @@
 
 #include "openltc/scene/gltf_export.h"
 
+#include "openltc/light/photometry.h"
 #include "openltc/scene/area_light.h"
 #include "openltc/scene/glb_writer.h"
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_extras.h"
+#include "openltc/scene/gltf_ies_light.h"
 #include "openltc/scene/gltf_import.h"
 #include "openltc/scene/gltf_placement.h"
 #include "openltc/scene/gltf_uri.h"
@@ -68,15 +70,15 @@ class Exporter {
 public:
   Exporter(Json& root, const gltf::Imported& imported) : root_(root), imported_(imported) {}
 
+  /// Photometric files that lights[i] of EXT_lights_ies still has to get.
+  const std::map<std::size_t, std::string>& profiles() const { return profiles_; }
+
   ExportReport run() {
     for (const gltf::NodeLight& light : imported_.extras_lights)
       write_extras_light(light);
     write_mesh_lights();
-    if (report_.written > 0) {
-      Json& used = root_["extensionsUsed"];
-      if (std::find(used.begin(), used.end(), k_extension) == used.end())
-        used.push_back(k_extension);
-    }
+    if (report_.written > 0) use(k_extension);
+    if (report_.profiles_written > 0) use(gltf::k_lights_ies);
     report_.warnings = imported_.scene.warnings;
     return std::move(report_);
   }
@@ -84,20 +86,62 @@ public:
 private:
   Json& node(int index) { return root_["nodes"][std::size_t(index)]; }
 
+  void use(const char* extension) {
+    Json& used = root_["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+  }
+
   void leave(const AreaLights& found) {
     for (const std::string& refused : found.refused)
       report_.left.push_back(
           fmt::format("{}, which {} cannot say; it is left as it is", refused, k_extension));
   }
 
+  // What EXT_lights_ies can say: a profile, times a factor and a colour within 0 .. 1.
+  static bool has_plain_profile(const light::Lights& lights) {
+    if (lights.punctual.size() != 1) return false;
+    const light::PunctualLight& light = lights.punctual[0];
+    return light.profile && light.type == light::PunctualType::point && light.range == 0;
+  }
+
+  // Both place the profile by their node alike, and neither is scaled.
+  void write_profile(const light::PunctualLight& light, Json& to) {
+    const auto [known, is_new] = profile_index_.try_emplace(light.profile.get(), 0);
+    if (is_new) {
+      Json& lights = root_["extensions"][gltf::k_lights_ies]["lights"];
+      lights.push_back({{"name", light.profile->name}});
+      known->second = lights.size() - 1;
+      profiles_[known->second] = light::to_lm63(*light.profile);
+    }
+    const double candela =
+        double(std::max({light.intensity.x, light.intensity.y, light.intensity.z}));
+    const auto channel = [&](float c) { return candela > 0 ? double(c) / candela : 1.0; };
+    to["extensions"][gltf::k_lights_ies] = {
+        {"light", known->second},
+        {"multiplier", candela / light.profile->max_candela},
+        {"color",
+         {channel(light.intensity.x), channel(light.intensity.y), channel(light.intensity.z)}}};
+    ++report_.profiles_written;
+  }
+
+  void take_extras_light(int index) {
+    Json& extras = node(index)["extras"];
+    gltf::erase_light(extras);
+    if (node(index).contains("mesh")) extras[gltf::k_extras_emits_light] = false;
+    if (extras.empty()) node(index).erase("extras");
+  }
+
   void write_extras_light(const gltf::NodeLight& light) {
+    const bool is_taken = node(light.node).contains("extensions") &&
+                          node(light.node)["extensions"].contains(gltf::k_lights_ies);
+    if (has_plain_profile(light.light) && !is_taken) {
+      take_extras_light(light.node);
+      return write_profile(light.light.punctual[0], node(light.node));
+    }
     const AreaLights found = area_lights_of(light.light);
     leave(found);
     if (!found.refused.empty()) return;
-    Json& extras = node(light.node)["extras"];
-    gltf::erase_light(extras);
-    if (node(light.node).contains("mesh")) extras[gltf::k_extras_emits_light] = false;
-    if (extras.empty()) node(light.node).erase("extras");
+    take_extras_light(light.node);
     for (const AreaLight& area : found.lights)
       add(area, light.node);
   }
@@ -181,6 +225,8 @@ private:
   const gltf::Imported& imported_;
   ExportReport report_;
   std::map<std::string, std::size_t> definitions_;
+  std::map<const light::IesProfile*, std::size_t> profile_index_;
+  std::map<std::size_t, std::string> profiles_;
 };
 
 } // namespace
@@ -198,8 +244,16 @@ Result<ExportReport> export_area_lights(const std::string& input, const std::str
     root = Json::parse(container.json.begin(), container.json.end());
     binary.bytes.assign(container.binary.begin(), container.binary.end());
     binary.exists = container.has_binary;
-    ExportReport made = Exporter(root, imported).run();
+    Exporter exporter(root, imported);
+    ExportReport made = exporter.run();
     gltf::embed_references(root, binary, base_dir);
+    for (const auto& [index, text] : exporter.profiles()) {
+      const std::vector<std::uint8_t> file(text.begin(), text.end());
+      const std::size_t view = gltf::add_view(root, binary, file);
+      Json& light = root["extensions"][gltf::k_lights_ies]["lights"][index];
+      light["bufferView"] = view;
+      light["mimeType"] = gltf::k_ies_mime_type;
+    }
     return made;
   });
   if (!report) return report.error();

@@ -18,11 +18,17 @@ namespace openltc::scene::gltf {
 namespace {
 
 constexpr std::string_view k_supported[] = {
-    "EXT_lights_area",         "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression", "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_specular",
-    "KHR_materials_unlit",     "KHR_mesh_quantization",
+    "EXT_lights_area",
+    "EXT_lights_ies",
+    "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
     "KHR_texture_transform",
     "KHR_xmp_json_ld", // metadata, nothing to draw
 };

@@ -205,16 +205,14 @@ private:
     add(std::move(light), lights_.punctual, "type");
   }
 
-  // A photometric file, whose nadir points along -Z and whose horizontal angle 0 along +X. Without
-  // an intensity or flux of its own, the light has the file's.
+  // A photometric file, whose aim (nadir) points along -Z and whose horizontal angle 0 along +X.
+  // Without an intensity or flux of its own, the light has the file's.
   bool read_profile(light::PunctualLight& light) {
     const std::string uri = p_.text("ies", "");
     if (uri.empty()) return false;
     const std::string field = p_.field() + ".ies";
-    Result<light::IesProfile> profile =
-        light::read_ies(resolve_uri(uri, document_.base_dir, field));
-    if (!profile) p_.refuse("ies", profile.error().message);
-    light.profile = std::make_shared<const light::IesProfile>(std::move(*profile));
+    light.profile = document_.profiles.read(resolve_uri(uri, document_.base_dir, field), field,
+                                            document_.warnings);
     light.direction = to_float(-placement_.back);
     light.right = to_float(placement_.right);
     return true;

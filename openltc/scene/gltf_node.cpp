@@ -321,6 +321,10 @@ private:
       read_area_light(document_, area->second.Get("light").GetNumberAsInt(), to_scene, node.name,
                       extras.surface_deviation, scene_.lights);
     }
+    if (const IesNode* ies = document_.ies_lights.of_node(index)) {
+      check_place(index, "light");
+      read_ies_light(document_, *ies, to_scene, node.name, scene_.lights);
+    }
     if (extras.light) place_extras_light(index, *extras.light, to_scene, first_mesh);
   }
 

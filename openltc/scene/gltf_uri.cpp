@@ -5,16 +5,14 @@
 
 #include "openltc/scene/gltf_uri.h"
 
+#include "openltc/base/regular_file.h"
 #include "openltc/scene/gltf_failure.h"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 #include <string_view>
+#include <utility>
 
 namespace openltc::scene::gltf {
 
@@ -88,15 +86,9 @@ std::vector<std::uint8_t> read_file(const std::string& path, const std::string& 
                                             shown(path)));
   if (!std::filesystem::is_regular_file(path, ec))
     fail(field, fmt::format("{} is not a file", shown(path)));
-  const auto size = std::filesystem::file_size(path, ec);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (ec || !file)
-    fail(field, fmt::format("cannot read {}: {}", shown(path), std::strerror(errno)));
-  std::vector<std::uint8_t> bytes(size);
-  if (size != 0 && std::fread(bytes.data(), 1, size, file.get()) != size)
-    fail(field, fmt::format("cannot read {}: {}", shown(path), std::strerror(errno)));
-  return bytes;
+  Result<std::vector<std::uint8_t>> bytes = read_regular_file(path);
+  if (!bytes) fail(field, bytes.error().message);
+  return std::move(*bytes);
 }
 
 std::string resolve_uri(const std::string& uri, const std::string& base_dir,

@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <type_traits>
 
 namespace openltc::scene {
 
@@ -39,6 +41,10 @@ constexpr SoftBox k_soft_boxes[3] = {
     {"studio fill", 60 * k_degree, 15 * k_degree, 3.0, 1.4, 1.4, 0.3},
     {"studio rim", 160 * k_degree, 50 * k_degree, 2.6, 1.2, 0.5, 0.8},
 };
+
+// Of a light's radiance: what a polished or brushed metal shows of it. White paper shows less,
+// unless the light fills a fifth of what it sees, weighted by the cosine.
+constexpr float k_image_of_light = 0.2f;
 
 double irradiance_per_radiance(double a, double b, double d) {
   const double da = std::sqrt(d * d + a * a), db = std::sqrt(d * d + b * b);
@@ -143,6 +149,18 @@ light::Lights studio_lights(const Bounds& bounds, const Camera& camera, double w
   return lights;
 }
 
+light::Lights ceiling_light(Vec3d center, double half_x, double half_z, double distance,
+                            double white_nits) {
+  const double nits =
+      std::numbers::pi * white_nits / irradiance_per_radiance(half_x, half_z, distance);
+  light::Lights lights;
+  // right x up = (1, 0, 0) x (0, 0, 1) = (0, -1, 0): downwards
+  lights.polygons.push_back(light::rectangle(to_float(center), to_float(Vec3d(half_x, 0, 0)),
+                                             to_float(Vec3d(0, 0, half_z)), Vec3f(float(nits))));
+  lights.polygons.back().name = "studio ceiling";
+  return lights;
+}
+
 double white_level_nits(const light::Lights& lights, const Bounds& bounds) {
   const Vec3d center = (to_double(bounds.lower) + to_double(bounds.upper)) * 0.5;
   double brightest = 0;
@@ -151,6 +169,25 @@ double white_level_nits(const light::Lights& lights, const Bounds& bounds) {
   for (const light::PunctualLight& light : lights.punctual)
     brightest = std::max(brightest, illuminance_at(light, center));
   return brightest / std::numbers::pi;
+}
+
+float least_nits_of_lights(const light::Lights& lights) {
+  float least = std::numeric_limits<float>::max();
+  double all = 0;
+  const auto each = [&](const auto& visit) {
+    lights.for_each_area_light([&](const auto& light) {
+      using Light = std::decay_t<decltype(light)>;
+      if constexpr (!std::is_same_v<Light, light::LineLight>) {
+        const float brightest = std::max({light.radiance.x, light.radiance.y, light.radiance.z});
+        visit(brightest, luminance(light.radiance) * light::area(light));
+      }
+    });
+  };
+  each([&](float, double flux) { all += flux; });
+  each([&](float brightest, double flux) {
+    if (flux > 0 && flux >= 0.01 * all) least = std::min(least, k_image_of_light * brightest);
+  });
+  return least;
 }
 
 } // namespace openltc::scene

@@ -9,8 +9,9 @@
 // axis is taken as atan2(sine, cosine), which unlike acos(cosine) keeps its precision near the axis,
 // where narrow beams have all their light.
 //
-// The light's own frame: z along the axis, to the nadir of the file (vertical angle 0), x at the
-// horizontal angle 0, y at 90 degrees; with up = -z, y = cross(up, x).
+// The profile's own frame: z to the pole of the file's angles, x at azimuth 0, y at 90 degrees; with
+// up = -z, y = cross(up, x). For type C that is the light's own frame, z to the nadir; for types A
+// and B it lies across (light/ies.h), so that those are interpolated in their own angles as well.
 //
 // The prelude of each target gives
 //   Vec2 profile_size(Profile)           columns, rows
@@ -38,11 +39,11 @@ FN Real half_turn_angle(Real x, Real y) {
   return select(x < Real(0.0), k_pi - angle, angle);
 }
 
-/// Intensity over the profile's maximum, 0..1, in a direction of the light's own frame, of any
+/// Intensity over the profile's maximum, 0..1, in a direction of the profile's own frame, of any
 /// length. Beside the interpolation, which is the profile's own, the angles err by
 /// 2.5e-7 radians, 6e-7 in single precision.
-FN Real eval_profile(Profile profile, Vec3 direction_light) {
-  Vec3 d = direction_light;
+FN Real eval_profile(Profile profile, Vec3 direction_profile) {
+  Vec3 d = direction_profile;
   Vec2 size = profile_size(profile);
   Real vertical = half_turn_angle(d.z, sqrt(d.x * d.x + d.y * d.y)) * k_inv_pi;
   Real half_turn = half_turn_angle(d.x, abs(d.y)) * k_half_inv_pi;

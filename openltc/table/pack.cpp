@@ -64,7 +64,7 @@ Status round_to_half(PackedTable& packed) {
         const std::size_t texel = i / std::size_t(texture.channels);
         return Error{fmt::format(
             "layout {}: texel ({}, {}) of texture {}, channel {}, is {:g}, beyond the {} of half "
-            "precision; choose --precision float32",
+            "precision; openltc fit and openltc convert keep it with --precision float32",
             name_of(packed.layout), texel % std::size_t(texture.width),
             texel / std::size_t(texture.width), t + 1, i % std::size_t(texture.channels),
             texture.values[i], k_half_max)};

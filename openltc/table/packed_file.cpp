@@ -4,6 +4,7 @@
 #include "openltc/table/packed_file.h"
 
 #include "openltc/base/atomic_file.h"
+#include "openltc/base/regular_file.h"
 #include "openltc/table/container.h"
 #include "openltc/table/description.h"
 #include "openltc/table/source_code.h"
@@ -15,7 +16,6 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <span>
 
 namespace openltc::table {
@@ -62,17 +62,20 @@ struct File {
 
 Bytes to_bytes(const std::string& text) { return Bytes(text.begin(), text.end()); }
 
-// Every temporary file is complete before the first is renamed.
 Status write_all(std::span<const File> files) {
-  if (files.empty()) return Success{};
-  return write_atomically(files[0].path, [&](const std::string& temporary) -> Status {
-    std::ofstream out(temporary, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(files[0].bytes.data()),
-              std::streamsize(files[0].bytes.size()));
-    out.close();
-    if (!out) return Error{files[0].path + ": cannot write; is the disk full?"};
-    return write_all(files.subspan(1));
-  });
+  FileGroup together;
+  for (const File& file : files) {
+    const Status status = write_atomically(file.path, [&](const std::string& temporary) -> Status {
+      std::ofstream out(temporary, std::ios::binary);
+      out.write(reinterpret_cast<const char*>(file.bytes.data()),
+                std::streamsize(file.bytes.size()));
+      out.close();
+      if (!out) return Error{file.path + ": cannot write; is the disk full?"};
+      return Success{};
+    });
+    if (!status.ok()) return status;
+  }
+  return together.commit();
 }
 
 Result<Bytes> encode(const Texture& texture, Container container, const std::string& path) {
@@ -128,18 +131,7 @@ Result<std::string> source_text(const PackedTable& packed, Container container,
 // No table comes near: 512 x 512 texels of four numbers as JSON.
 constexpr std::uintmax_t k_max_file = std::uintmax_t(64) << 20;
 
-Result<Bytes> read_file(const std::string& path) {
-  std::error_code ec;
-  if (fs::is_directory(path, ec)) return Error{path + ": is a directory"};
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path + ": cannot open; does it exist and may it be read?"};
-  const std::uintmax_t size = fs::file_size(path, ec);
-  if (!ec && size > k_max_file)
-    return Error{fmt::format("{}: {} bytes are too many for a table", path, size)};
-  Bytes bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) return Error{path + ": cannot be read to its end"};
-  return bytes;
-}
+Result<Bytes> read_file(const std::string& path) { return read_regular_file(path, k_max_file); }
 
 // The path given to write_packed: "DIR/ggx.dds" of "DIR/ggx_1.dds" and "DIR/ggx_2.dds".
 std::string table_path(const std::string& path) {
@@ -279,7 +271,8 @@ Result<PackedTable> read_packed(const std::string& path, std::optional<Layout> l
       packed.angle_axis = angle_axis_of(*layout);
     } else {
       return Error{fmt::format("{}: says nothing about its layout; openltc inspect finds out what "
-                               "it most probably is, then name it with --from-layout",
+                               "it most probably is; openltc convert --from-layout then makes a "
+                               "file of it that says so",
                                path)};
     }
     const std::size_t count = facts_of(packed.layout).channels.size();

@@ -4,6 +4,7 @@
 #include "openltc/table/polynomial_file.h"
 
 #include "openltc/base/atomic_file.h"
+#include "openltc/base/regular_file.h"
 #include "openltc/table/lobe_json.h"
 #include "openltc/table/polynomial_source.h"
 #include "openltc/target/shade_f64.h"
@@ -12,7 +13,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -130,11 +130,9 @@ Result<LobePolynomial> polynomial_from_json(const std::string& text, const std::
 }
 
 Result<LobePolynomial> read_polynomial(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path + ": cannot open; does it exist and may it be read?"};
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) return Error{path + ": cannot be read to its end"};
-  return polynomial_from_json(text, path);
+  const Result<std::string> text = read_regular_text(path, std::uint64_t(1) << 24);
+  if (!text) return text.error();
+  return polynomial_from_json(*text, path);
 }
 
 std::string to_builtin_source(const LobePolynomial& polynomial) {

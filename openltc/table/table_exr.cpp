@@ -132,7 +132,7 @@ Result<Texture> decode_exr(ByteView bytes, const std::string& name) {
   static constexpr std::uint8_t magic[] = {0x76, 0x2f, 0x31, 0x01};
   if (bytes.size() < 4 || !std::equal(magic, magic + 4, bytes.begin()))
     return Error{fmt::format("{}: not an OpenEXR file", name)};
-  if (!image::exr_attributes_fit(bytes))
+  if (!image::exr_header_fits(bytes, bytes.size()))
     return Error{fmt::format("{}: an attribute of the OpenEXR file's header does not fit into the "
                              "file; was it cut off?",
                              name)};

@@ -50,7 +50,7 @@ TEST_CASE("fit_names_what_is_wrong_usage") {
   };
   const std::vector<Case> cases = {
       {{"--brdf", "velvet"}, "velvet"},
-      {{"--brdf", ""}, "charlie"},
+      {{"--brdf", ""}, "must not be empty"},
       {{"--size", "1"}, "--size"},
       {{"--size", "513"}, "--size"},
       {{"--size", "-8"}, "--size"},
@@ -111,7 +111,8 @@ TEST_CASE("fit_refuses_broken_materials") {
   CHECK(fails_naming(run_tool({"fit", "--brdf", folder.file("no.binary"), "-o", out}),
                      "no.binary: cannot open"));
   std::filesystem::create_directory(folder.file("d.binary"));
-  CHECK(fails_naming(run_tool({"fit", "--brdf", folder.file("d.binary"), "-o", out}), "folder"));
+  CHECK(fails_naming(run_tool({"fit", "--brdf", folder.file("d.binary"), "-o", out}),
+                     "is a directory"));
   CHECK(text_of(out) == k_older);
   CHECK(folder.file_count() == 3);
 }

@@ -49,21 +49,30 @@ Run run_tool(const std::vector<std::string>& arguments, const RunOptions& option
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  // Until it is the tool, the child has the handlers of doctest: a signal waits.
+  sigset_t all, before;
+  sigfillset(&all);
+  sigprocmask(SIG_SETMASK, &all, &before);
   const pid_t child = fork();
   if (child == 0) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGABRT, SIGSEGV, SIGPIPE})
+      std::signal(signal, SIG_DFL);
     if (!options.folder.empty() && chdir(options.folder.c_str()) != 0) _exit(126);
     redirect(1, out);
     redirect(2, err);
+    if (options.prepare) options.prepare();
+    sigprocmask(SIG_SETMASK, &before, nullptr);
     execv(argv[0], argv.data());
     _exit(127);
   }
+  sigprocmask(SIG_SETMASK, &before, nullptr);
   Run run;
   int status = 0;
   bool interrupted = false, killed = false;
   while (waitpid(child, &status, WNOHANG) == 0) {
     if (options.interrupt_after_s > 0 && !interrupted && elapsed() > options.interrupt_after_s) {
       interrupted = true;
-      kill(child, SIGINT);
+      kill(child, options.signal);
     }
     if (!killed && elapsed() > options.limit_s) {
       killed = true;
@@ -134,6 +143,16 @@ void add_camera(GltfBuilder& scene, const std::string& name, double height) {
   const int node =
       scene.add("nodes", {{"name", name}, {"camera", camera}, {"translation", {0, height, 4}}});
   scene.root["scenes"][0]["nodes"].push_back(node);
+}
+
+bool holds(const std::string& path, const std::string& text) {
+  const auto bytes = bytes_of(path);
+  return std::string(bytes.begin(), bytes.end()) == text;
+}
+
+void redirect_to(int target, const std::string& path, int flags) {
+  const int file = open(path.c_str(), flags);
+  if (file < 0 || dup2(file, target) < 0) _exit(126);
 }
 
 std::string demo_scene() { return OPENLTC_SOURCE_DIR "/scenes/demo.glb"; }

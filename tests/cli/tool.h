@@ -9,6 +9,7 @@
 #include "tests/scene/gltf_builder.h"
 
 #include <csignal>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct RunOptions {
   std::string folder;           ///< working folder; empty = the test's
   double interrupt_after_s = 0; ///< > 0: SIGINT after so long
   double limit_s = 60;          ///< then it is killed, and ended_by is SIGKILL
+  int signal = SIGINT;          ///< or another one
+  /// What the tool's process does before it becomes the tool: limits, closed or other descriptors.
+  std::function<void()> prepare = {};
 };
 
 /// Runs the tool with these arguments, without a shell.
@@ -51,6 +55,12 @@ GltfBuilder lit_floor(double nits = 100);
 
 /// Adds a camera that looks along -Z from (0, `height`, 4).
 void add_camera(GltfBuilder& scene, const std::string& name, double height);
+
+/// `text` as the contents of a file, to compare.
+bool holds(const std::string& path, const std::string& text);
+
+/// For RunOptions::prepare: descriptor `target` opened on `path`, which exists.
+void redirect_to(int target, const std::string& path, int flags);
 
 /// scenes/demo.glb of the repository.
 std::string demo_scene();

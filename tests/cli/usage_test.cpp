@@ -130,6 +130,78 @@ TEST_CASE("wrong_options_and_values_are_named_in_one_line") {
   }
 }
 
+TEST_CASE("numbers_are_whole_finite_in_range_and_there") {
+  const TemporaryFolder folder;
+  const std::string scene = demo_scene(), png = folder.file("x.png");
+  const std::vector<std::string> whole = {"",    " ",   "1e3",        "0x10",
+                                          "1.5", "nan", "inf",        "1 ",
+                                          "+",   "-1",  "4294967296", "99999999999999999999",
+                                          "4,5"};
+  std::vector<std::string> fractions = {"",      " ",  "nan", "NaN",  "-nan",   "inf", "-inf",
+                                        "1e999", "-1", "2",   "0.5x", "0x1p-2", "1,5", "1e-999"};
+  struct Case {
+    std::vector<std::string> command;
+    std::string option;
+    const std::vector<std::string>& values;
+  };
+  const std::vector<Case> cases = {
+      {{"render", scene, "-o", png}, "--samples", whole},
+      {{"render", scene, "-o", png}, "--shadow-samples", whole},
+      {{"render", scene, "-o", png}, "--seed", whole},
+      {{"render", scene, "-o", png}, "--threads", whole},
+      {{"render", scene, "-o", png}, "--light-error", fractions},
+      {{"render", scene, "-o", png}, "--shape-tolerance", fractions},
+      {{"inspect", scene}, "--shape-tolerance", fractions},
+      {{"convert", scene, folder.file("x.glb")}, "--shape-tolerance", fractions},
+      {{"convert", scene, folder.file("x.glb")}, "--size", whole},
+      {{"fit"}, "--size", whole},
+      {{"fit", "--form", "polynomial"}, "--degree", whole}};
+  for (const Case& c : cases)
+    for (const std::string& value : c.values) {
+      CAPTURE(c.command[0]);
+      CAPTURE(c.option);
+      CAPTURE(value);
+      std::vector<std::string> arguments = c.command;
+      arguments.push_back(c.option);
+      arguments.push_back(value);
+      CHECK(refuses_usage(run_tool(arguments), c.option));
+    }
+  // From 2^-127 to 2^128 a float holds the factor.
+  for (const char* value : {"", "nan", "inf", "1e9", "-1e9", "128", "-130", "12,5", "auto "})
+    CHECK(refuses_usage(run_tool({"render", scene, "-o", png, "--exposure", value}), "--exposure"));
+  for (const char* value : {"", "nan", "inf", "1e39", "-1", "1,2", "1,2,", "1,2,nan", "1,2,3,4"})
+    CHECK(refuses_usage(run_tool({"render", scene, "-o", png, "--background", value}),
+                        "--background"));
+  for (const char* value : {"", "nan,1,1", "1,inf,1", "1,1", "-1,1,1", "0,0,0"})
+    CHECK(refuses_usage(run_tool({"fit", "--objective", value}), "--objective"));
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("decimal_digits_are_decimal") {
+  const TemporaryFolder folder;
+  const std::string octal = folder.file("a.exr"), ten = folder.file("b.exr");
+  const auto render = [&](const std::string& seed, const std::string& to) {
+    return run_tool({"render", demo_scene(), "--quiet", "--size", "32x18", "--samples", "1",
+                     "--seed", seed, "-o", to})
+        .exit_code;
+  };
+  CHECK(render("010", octal) == 0);
+  CHECK(render("10", ten) == 0);
+  CHECK(bytes_of(octal) == bytes_of(ten));
+}
+
+TEST_CASE("an_empty_argument_is_not_an_option_left_out") {
+  const std::string scene = demo_scene();
+  for (const char* option : {"-o", "--camera", "--size", "--table", "--background", "--lights"})
+    CHECK(refuses_usage(run_tool({"render", scene, option, ""}), "must not be empty"));
+  CHECK(refuses_usage(run_tool({"render", ""}), "must not be empty"));
+  CHECK(refuses_usage(run_tool({"inspect", ""}), "must not be empty"));
+  CHECK(refuses_usage(run_tool({"compare", "a.exr", "b.exr", "--mask", ""}), "must not be empty"));
+  for (const char* option : {"-o", "--report", "--against", "--brdf"})
+    CHECK(refuses_usage(run_tool({"fit", option, ""}), "must not be empty"));
+  CHECK(refuses_usage(run_tool({"plot", "lobes", "-o", ""}), "must not be empty"));
+}
+
 TEST_CASE("absurd_picture_sizes_are_refused_in_one_line") {
   for (const char* size :
        {"0x0", "-1x5", "64x", "x64", "abc", "64", "64x36x2", "64.5x36", "9999999999999x2"}) {

@@ -5,11 +5,13 @@
 
 #include "openltc/image/file.h"
 #include "openltc/image/flip.h"
+#include "tests/image/make_exr.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
@@ -199,6 +201,81 @@ TEST_CASE("compare fails with one line and exit code 1, and 2 for wrong usage") 
     CHECK(result.exit_code == 2);
     CHECK(!result.err.empty());
     CHECK(result.out.empty());
+  }
+}
+
+TEST_CASE("compare takes the layer that is named, or the only one of colour") {
+  const TemporaryFolder folder;
+  const Pair pair(folder);
+  const Image a = *read(pair.a), b = *read(pair.b);
+  const std::string layers = folder.file("layers.exr");
+  ExrPart part;
+  std::copy_n(std::array<int, 4>{0, 0, 59, 39}.data(), 4, part.data);
+  std::copy_n(std::array<int, 4>{0, 0, 59, 39}.data(), 4, part.display);
+  const auto add = [&](const std::string& prefix, const Image& image,
+                       const std::vector<std::string>& components) {
+    for (std::size_t c = 0; c < components.size(); ++c)
+      part.channels.push_back(
+          {prefix + components[c], [&image, c](int x, int y) { return image.pixel(x, y)[c]; }});
+  };
+  add("V.Combined.", a, {"R", "G", "B"});
+  add("V.Normal.", b, {"X", "Y", "Z"});
+  make_exr(layers, {part});
+  const auto difference = [&](const std::string& arguments) {
+    const Run result = run(folder, arguments + " --json");
+    CHECK(result.err.empty());
+    REQUIRE(result.exit_code == 0);
+    return nlohmann::json::parse(result.out);
+  };
+  CHECK(difference(layers + " " + pair.a)["rmse"] == 0.0);
+  CHECK(difference(layers + " " + pair.a)["image"] == layers + ":V.Combined");
+  CHECK(difference(layers + ":V.Combined " + pair.a)["rmse"] == 0.0);
+  CHECK(double(difference(layers + ":Combined " + pair.b)["rmse"]) > 0.1);
+  const auto vectors = difference("--layer Normal " + layers + " " + layers);
+  CHECK(vectors["rmse"] == 0.0);
+  CHECK(vectors["flip"].is_null());
+
+  // What is not the same kind of thing is not compared.
+  const auto refused = [&](const std::string& arguments, const std::string& part_of_message) {
+    const Run result = run(folder, arguments);
+    CHECK(result.exit_code == 1);
+    CHECK(line_count(result.err) == 1);
+    CHECK(result.out.empty());
+    CAPTURE(result.err);
+    CHECK(result.err.find(part_of_message) != std::string::npos);
+  };
+  refused(layers + ":Normal " + pair.a, "is a vector, no colours but");
+  refused(layers + ":Depth " + pair.a, "no layer 'Depth'");
+  refused("--layer Normal " + layers + " " + pair.a, "no layer 'Normal'");
+  refused(layers + ":Normal " + layers + ":Normal --diff " + folder.file("d.png") +
+              " --metric flip",
+          "no colours");
+  std::copy_n(std::array<int, 4>{1, 0, 60, 39}.data(), 4, part.display);
+  const std::string moved = folder.file("moved.exr");
+  make_exr(moved, {part});
+  refused(moved + " " + layers, "begins at pixel (1, 0)");
+
+  // A crop is black where nothing is known, and that is said.
+  std::copy_n(std::array<int, 4>{0, 0, 59, 39}.data(), 4, part.display);
+  std::copy_n(std::array<int, 4>{0, 0, 59, 19}.data(), 4, part.data);
+  const std::string crop = folder.file("crop.exr");
+  make_exr(crop, {part});
+  const Run cropped = run(folder, crop + " " + pair.a + " --json");
+  CHECK(cropped.exit_code == 0);
+  CHECK(line_count(cropped.err) == 1);
+  CHECK(cropped.err.find("60x20 from (0, 0)") != std::string::npos);
+  CHECK(double(nlohmann::json::parse(cropped.out)["max_absolute_difference"]) > 1.0);
+}
+
+TEST_CASE("compare refuses distances at which FLIP would need all memory") {
+  const TemporaryFolder folder;
+  const Pair pair(folder);
+  for (const char* number : {"1e9", "nan", "inf", "0.5", "1001"})
+    CHECK(run(folder, pair.a + " " + pair.b + " --pixels-per-degree " + number).exit_code == 2);
+  for (const char* number : {"1", "1000"}) {
+    const Run result = run(folder, pair.a + " " + pair.b + " --json --pixels-per-degree " + number);
+    REQUIRE(result.exit_code == 0);
+    CHECK(nlohmann::json::parse(result.out)["flip"]["mean"].is_number());
   }
 }
 

@@ -138,10 +138,57 @@ TEST_CASE("automatic exposure protects highlights, within limits") {
   };
   const AutoExposureOptions options;
   CHECK(room(1.0f) == doctest::Approx(options.middle_grey));
-  CHECK(room(20.0f) * 20.0f == doctest::Approx(options.highlight));
+  CHECK(room(20.0f) * 20.0f == doctest::Approx(options.white));
   // A light source in view that is ten thousand times as bright does not black out the room.
   CHECK(room(1e4f) > 0.1f * options.middle_grey);
   CHECK(room(1e4f) < room(20.0f));
+}
+
+TEST_CASE("automatic exposure keeps 99 % of the pixels at most white in every channel") {
+  // A pool of light on a floor, as a lamp at height h makes it, E ~ h / (h^2 + r^2)^(3/2): most of
+  // the picture is dark, a thousandth of the middle at the rim.
+  const auto pool = [](Vec3f color, float height) {
+    Image picture(200, 100, 3);
+    for (int y = 0; y < 100; ++y)
+      for (int x = 0; x < 200; ++x) {
+        const float r2 = float((x - 100) * (x - 100) + (y - 50) * (y - 50));
+        const float e = std::pow(height * height / (height * height + r2), 1.5f);
+        picture.pixel(x, y)[0] = color.x * e;
+        picture.pixel(x, y)[1] = color.y * e;
+        picture.pixel(x, y)[2] = color.z * e;
+      }
+    return picture;
+  };
+  const auto share_above_white = [](const Image& picture, float exposure) {
+    int above = 0;
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x) {
+        const Vec3f c = picture.rgb(x, y) * exposure;
+        above += std::max({c.x, c.y, c.z}) > 1.00001f;
+      }
+    return double(above) / double(picture.pixel_count());
+  };
+  for (const Vec3f color : {Vec3f(100, 100, 100), Vec3f(100, 1, 1), Vec3f(0.3f, 0.3f, 10)})
+    for (const float height : {10.0f, 20.0f, 40.0f}) {
+      Image picture = pool(color, height);
+      AutoExposureOptions options;
+      options.light = 1000; // nothing here
+      const float exposure = auto_exposure(picture, options);
+      CHECK(share_above_white(picture, exposure) <= 0.01);
+      // A lamp in view on a twentieth of the picture takes two stops more at most.
+      std::fill_n(picture.pixel(0, 0), 3 * 1000, 1e5f);
+      const float with_lamp = auto_exposure(picture, options);
+      CHECK(share_above_white(picture, with_lamp) <= 0.01 + 0.05);
+      CHECK(with_lamp > exposure / 6);
+    }
+  // A white object that fills a quarter of the picture, in a light for which 1.2 is usual.
+  Image object = flat(0.07f, 100, 100);
+  std::fill_n(object.data.begin(), 3 * 2500, 1.6f);
+  CHECK(exposure_below_white(object, 1.2f) == doctest::Approx(1 / 1.6f));
+  CHECK(share_above_white(object, exposure_below_white(object, 1.2f)) == 0);
+  // Nothing bright: as usual.
+  CHECK(exposure_below_white(flat(0.1f), 1.2f) == 1.2f);
+  CHECK(exposure_below_white(Image(), 1.2f) == 1.2f);
 }
 
 TEST_CASE("a displayed picture is encoded, in range, and keeps alpha") {

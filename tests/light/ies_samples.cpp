@@ -74,6 +74,86 @@ std::vector<std::string> ies_samples() {
   file.vertical = {0, 3.7, 11.1, 40, 79.3, 90};
   file.horizontal = angles(0, 360, 60);
   samples.push_back(file.text(lobe));
+  // Types B and A: a whole half sphere by its right side, and a window.
+  file.version = "IESNA:LM-63-2002 type B";
+  file.kind = "2 2 0.2 0.3 0";
+  file.vertical = angles(-90, 90, 15);
+  file.horizontal = angles(0, 90, 15);
+  samples.push_back(file.text(lobe));
+  file.version = "IESNA:LM-63-2002 type A";
+  file.kind = "3 2 0.2 0.3 0";
+  file.vertical = angles(-20, 15, 2.5);
+  file.horizontal = angles(-40, 50, 5);
+  samples.push_back(file.text(lobe));
+  return samples;
+}
+
+std::string LdtFile::text(const std::function<double(double, double)>& intensity) const {
+  std::vector<std::string> lines = {"Nobody",
+                                    "3",
+                                    std::to_string(symmetry),
+                                    std::to_string(planes),
+                                    number(360.0 / planes),
+                                    std::to_string(gamma.size()),
+                                    "0",
+                                    "report 1",
+                                    "a lamp by a formula",
+                                    "L-1",
+                                    "lamp.ldt",
+                                    "today"};
+  for (const char* size : {"1200", "300", "80", "1100", "200", "10", "20", "30", "40"})
+    lines.push_back(size);
+  for (const std::string& value : {std::string("100"), std::string("85"), number(conversion),
+                                   std::string("0"), std::to_string(lamps.size())})
+    lines.push_back(value);
+  const auto item = [&](std::size_t index, std::size_t set) -> std::string {
+    switch (index) {
+    case 0:
+      return std::to_string(lamps[set].first);
+    case 2:
+      return number(lamps[set].second);
+    case 5:
+      return "12.5";
+    default:
+      return index == 1 ? "LED" : index == 3 ? "3000K" : "1B";
+    }
+  };
+  for (std::size_t i = 0; i < 6 * lamps.size(); ++i)
+    lines.push_back(set_by_set ? item(i % 6, i / 6) : item(i / lamps.size(), i % lamps.size()));
+  for (int i = 0; i < 10; ++i)
+    lines.push_back("0.5");
+  for (int c = 0; c < planes; ++c)
+    lines.push_back(number(360.0 * c / planes));
+  for (const double g : gamma)
+    lines.push_back(number(g));
+  // The specification counts planes from 1.
+  const int first = symmetry == 3 ? 3 * planes / 4 + 1 : 1;
+  const int last = symmetry == 0   ? planes
+                   : symmetry == 1 ? 1
+                   : symmetry == 2 ? planes / 2 + 1
+                   : symmetry == 3 ? first + planes / 2
+                                   : planes / 4 + 1;
+  for (int plane = first; plane <= last; ++plane)
+    for (const double g : gamma)
+      lines.push_back(number(intensity(g, 360.0 * ((plane - 1) % planes) / planes)));
+  std::string out;
+  for (const std::string& line : lines)
+    out += line + line_end;
+  return out;
+}
+
+std::vector<std::string> ldt_samples() {
+  std::vector<std::string> samples;
+  for (int symmetry = 0; symmetry <= 4; ++symmetry) {
+    LdtFile file;
+    file.symmetry = symmetry;
+    file.planes = symmetry == 1 ? 1 : 8;
+    file.gamma = angles(0, symmetry == 2 ? 180 : 90, 15);
+    if (symmetry == 3) file.lamps = {{1, 1000}, {2, 1800}};
+    file.set_by_set = symmetry < 3;
+    if (symmetry == 4) file.line_end = "\r\n";
+    samples.push_back(file.text([](double g, double c) { return 50 + g + c / 10; }));
+  }
   return samples;
 }
 

@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// LM-63 files made by hand or from a formula, for tests and as a start for fuzzing.
+// LM-63 and EULUMDAT files made by hand or from a formula, for tests and as a start for fuzzing.
 
 #pragma once
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace openltc::testing {
@@ -25,10 +26,29 @@ struct IesFile {
   std::string text(const std::function<double(double, double)>& candela) const;
 };
 
+/// What a EULUMDAT file says.
+struct LdtFile {
+  int symmetry = 0;
+  int planes = 24;           ///< of the whole circle
+  std::vector<double> gamma; ///< degrees
+  double conversion = 1;
+  /// Sets of lamps: count, lumens of all.
+  std::vector<std::pair<int, double>> lamps = {{1, 1000}};
+  bool set_by_set = true; ///< else item by item
+  std::string line_end = "\n";
+
+  /// The text, with intensity(gamma, c) in cd per 1000 lm, degrees, of the planes that the symmetry
+  /// has.
+  std::string text(const std::function<double(double, double)>& intensity) const;
+};
+
+/// Valid files of every symmetry and way of writing.
+std::vector<std::string> ldt_samples();
+
 /// from, from + step, ... to.
 std::vector<double> angles(double from, double to, double step);
 
-/// Valid files of every version, range of angles and way of writing.
+/// Valid LM-63 files of every version, type, range of angles and way of writing.
 std::vector<std::string> ies_samples();
 
 } // namespace openltc::testing

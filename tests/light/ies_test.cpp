@@ -5,6 +5,7 @@
 
 #include "ies_samples.h"
 #include "openltc/light/ies.h"
+#include "openltc/light/photometry.h"
 #include "openltc/light/units.h"
 #include "openltc/target/shade_f32.h"
 #include "openltc/target/shade_f64.h"
@@ -50,7 +51,7 @@ double summed_flux(const IesProfile& profile) {
 }
 
 TEST_CASE("the_file_written_by_hand_reads_as_it_stands") {
-  const auto profile = read_ies(OPENLTC_SOURCE_DIR "/tests/light/files/wall_washer.ies");
+  const auto profile = read_photometry(OPENLTC_SOURCE_DIR "/tests/light/files/wall_washer.ies");
   REQUIRE(profile.ok());
   CHECK(profile->version == "IESNA:LM-63-2002");
   CHECK(profile->name == "Wall washer, one side brighter than the other");
@@ -179,15 +180,26 @@ template <class Eval> double largest_difference(const IesProfile& profile, const
   double largest = 0;
   for (int i = 0; i < 20000; ++i) {
     const Vec3d d = normalize(Vec3d(normal(random), normal(random), normal(random)));
-    const double vertical = std::atan2(std::hypot(d.x, d.y), d.z);
     // Where the measurement ends, the grid has a ramp of one step; see below.
-    const double edges[] = {profile.vertical_degrees.front(), profile.vertical_degrees.back()};
+    const ProfileAxes axes = profile_axes(profile.type, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    const Vec3d own(dot(to_double(axes.x), d), dot(to_double(axes.y), d),
+                    dot(to_double(axes.z), d));
+    const double vertical = std::atan2(std::hypot(own.x, own.y), own.z);
+    const double azimuth = std::atan2(own.y, own.x) * 180 / k_pi;
+    const double sides[] = {profile.azimuth_degrees.front(), profile.azimuth_degrees.back()};
+    const bool is_circle = sides[1] - sides[0] == 0 || sides[1] - sides[0] >= 360;
+    if (!is_circle && std::any_of(sides, sides + 2, [&](double side) {
+          return std::abs(std::remainder(azimuth - side, 360)) < 1.001;
+        }))
+      continue;
+    const double edges[] = {profile.polar_degrees.front(), profile.polar_degrees.back()};
     if (std::any_of(edges, edges + 2, [&](double edge) {
           return edge > 0 && edge < 180 && std::abs(vertical * 180 / k_pi - edge) < 1.001;
         }))
       continue;
-    const double exact = eval_candela(profile, vertical, std::atan2(d.y, d.x));
-    largest = std::max(largest, std::abs(eval(d) - exact / profile.max_candela));
+    const double exact =
+        eval_candela(profile, std::atan2(std::hypot(d.x, d.y), d.z), std::atan2(d.y, d.x));
+    largest = std::max(largest, std::abs(eval(own) - exact / profile.max_candela));
   }
   return largest;
 }
@@ -252,6 +264,8 @@ void refused(const std::string& text, const std::string& words, const std::strin
 
 TEST_CASE("broken_files_are_refused_by_name_line_and_reason") {
   const std::string head = "IESNA:LM-63-2002\n[TEST] x\n", none = head + "TILT=NONE\n";
+  const std::string a_window = none + "1 -1 1 2 2 3 2 0 0 0\n1 1 10\n-9 9\n-9 9\n";
+  REQUIRE(parse_ies(a_window + "5 6 5 6", "lamp.ies").ok());
   const std::string good = none + "1 -1 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n5 6\n";
   REQUIRE(parse_ies(good, "lamp.ies").ok());
   refused("", "TILT");
@@ -275,8 +289,10 @@ TEST_CASE("broken_files_are_refused_by_name_line_and_reason") {
   refused(none + "1 -1 1 1000 1000 1 2 0 0 0\n1 1 10\n0 90", "too short", "5: ");
   refused(none + "1 -1 1 5000 1 1 2 0 0 0\n", "count of vertical angles 5000", "4: ");
   refused(none + "1 -1 1 2.5 1 1 2 0 0 0\n", "not whole", "4: ");
-  refused(none + "1 -1 1 2 1 2 2 0 0 0\n", "(B)", "4: ");
-  refused(none + "1 -1 1 2 1 3 2 0 0 0\n", "(A)", "4: ");
+  refused(none + "1 -1 1 2 1 4 2 0 0 0\n", "photometric type 4", "4: ");
+  refused(none + "1 -1 1 2 1 2 2 0 0 0\n1 1 10\n0 90\n0\n5 6\n", "type B");
+  refused(none + "1 -1 1 2 2 3 2 0 0 0\n1 1 10\n0 100\n0 90\n5 6 5 6\n", "angle 100", "6: ");
+  refused(none + "1 -1 1 2 2 2 2 0 0 0\n1 1 10\n0 90\n0 100\n5 6 5 6\n", "angle 100", "7: ");
   refused(none + "1 -1 1 2 1 1 3 0 0 0\n", "units", "4: ");
   refused(none + "1 -7 1 2 1 1 2 0 0 0\n", "lumens", "4: ");
   refused(none + "1 -1 -1 2 1 1 2 0 0 0\n", "multiplier", "4: ");
@@ -284,8 +300,8 @@ TEST_CASE("broken_files_are_refused_by_name_line_and_reason") {
   refused(none + "1 -1 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n0 0\n", "zero");
   refused(head + "TILT=INCLUDE\n4\n", "geometry", "4: ");
   refused(head + "TILT=INCLUDE\n1\n99999\n", "tilt angles", "5: ");
-  CHECK(!read_ies("/nonexistent/lamp.ies").ok());
-  CHECK(!read_ies(OPENLTC_SOURCE_DIR "/tests").ok());
+  CHECK(!read_photometry("/nonexistent/lamp.ies").ok());
+  CHECK(!read_photometry(OPENLTC_SOURCE_DIR "/tests").ok());
 }
 
 TEST_CASE("every_truncation_of_a_file_is_refused") {

@@ -149,3 +149,39 @@ TEST_CASE("packed lights keep their profiles alive") {
   CHECK(set.profiles.at(0).use_count() == 1);
   CHECK(set.punctual[0].profile.values == set.profiles[0]->grid.data());
 }
+
+TEST_CASE("a floor under a floodlight and a headlamp has the illuminance of their own angles") {
+  // Plain bilinear tables: the same corners as V and H, of type B and of type A.
+  for (const int type : {2, 3}) {
+    const std::string text = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 3 " + std::to_string(type) +
+                             " 2 0 0 0\n1 1 10\n-90 0 90\n-90 0 90\n"
+                             "0 300 0\n0 1000 400\n0 600 0\n";
+    const auto parsed = light::parse_ies(text, "flood.ies");
+    REQUIRE(parsed.ok());
+    light::PunctualLight light;
+    light.profile = std::make_shared<light::IesProfile>(*parsed);
+    light.position = {0, 2, 0};
+    light.direction = {0, -1, 0};
+    light.right = {1, 0, 0}; // V > 0 towards +x; H > 0, clockwise seen from there, towards +z
+    light.intensity = Vec3f(1000.0f);
+    for (const Vec2d& point :
+         {Vec2d(0, 0), Vec2d(1, 0), Vec2d(0, 1), Vec2d(0, -1), Vec2d(1, 2), Vec2d(0.7, -1.5)}) {
+      const double x = point.x, z = point.y;
+      CAPTURE(type);
+      CAPTURE(x);
+      CAPTURE(z);
+      // B: V in the plane across y, H out of it; A: the other way around.
+      const double v = type == 2 ? std::atan2(x, 2) : std::atan2(x, std::hypot(z, 2));
+      const double h = type == 2 ? std::atan2(z, std::hypot(x, 2)) : std::atan2(z, 2);
+      const double a = 2 * v / k_pi, b = std::abs(2 * h / k_pi); // x >= 0
+      const double side = h < 0 ? 300 : 600;
+      const double candela = (1 - a) * ((1 - b) * 1000 + b * side) + a * (1 - b) * 400;
+      const double distance2 = x * x + z * z + 4;
+      const double lux = candela * 2 / std::sqrt(distance2) / distance2;
+      for (const render::Integrator integrator :
+           {render::Integrator::ltc, render::Integrator::reference})
+        CHECK(floor_radiance(light, x, z, integrator) ==
+              doctest::Approx(0.5 * lux / k_pi).epsilon(1e-3));
+    }
+  }
+}

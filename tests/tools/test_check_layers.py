@@ -72,6 +72,7 @@ class Layers(unittest.TestCase):
             self.assert_breach("openltc/render/a.h", "#include <%s>\n" % header, ".cpp")
             self.assert_clean("openltc/render/a.cpp", "#include <%s>\n" % header)
         self.assert_clean("openltc/render/embree.h", "#include <embree4/rtcore.h>\n")
+        self.assert_clean("openltc/image/exr_input.h", "#include <ImfIO.h>\n")
 
     def test_every_file_names_its_licence(self):
         for path in ("openltc/base/a.h", "tools/a.py", "cmake/a.cmake", "tests/shaders/a.frag"):

@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The bound of light_tree is of light without shadow: certain, and blind. A lamp behind a wall has
+// the same bound as one in front of it. What an error may be, and which light deserves a shadow of
+// its own, is therefore asked of a few points of each range, by their own shadow rays: they shade
+// with the choice at hand and tell how much they show, and what share of each light arrives. That
+// decides costs and noise; it leaves no light out that the bound did not.
+
+#include "openltc/render/light_chooser.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace openltc::render {
+
+namespace {
+
+// Costs in terms of shading one point by one light without shadow: bounding a node of the light
+// tree for a range of points, shading by a far group, shading with shadow rays.
+constexpr double k_choosing_cost = 18, k_far_cost = 0.3, k_traced_cost = 20;
+constexpr double k_wide = 1; // points so far apart, or so turned, are split at once
+// Lights of a range of points that have shadow rays of their own; dimmer ones share a ratio.
+constexpr std::size_t k_most_traced = 16;
+constexpr std::size_t k_most_probed = 4 * k_most_traced; // that may become one of those
+constexpr std::size_t k_smallest_range = 32;             // points that are not split any more
+constexpr std::size_t k_probe_points = 16;
+// Of the points of a probe so many may be darker than the level that errors are measured against.
+constexpr std::size_t k_darker_points = 3;
+// What is darker than this share of the view's level counts as that bright: errors there are 1/50
+// of what is allowed elsewhere, far below what a display or an eye that sees the rest can show.
+constexpr double k_darkest = 0.02;
+// A choice that allows at most so much more than its range turns out to deserve is kept.
+constexpr double k_near_enough = 1.25;
+
+float largest(const Vec3f& v) { return std::max({v.x, v.y, v.z}); }
+
+} // namespace
+
+LightChooser::LightChooser(const Kernel& kernel, const KernelContext& context,
+                           const LightTree& tree, LightErrorScale scale)
+    : kernel_(kernel), context_(context), tree_(tree), scale_(scale),
+      light_spacing_(tree.spacing()), probe_(k_probe_points) {}
+
+void LightChooser::light(PointBuffer& points, PointBuffer::Range range, const Shade& shade) {
+  light(points, range, scale_.light_error * scale_.view_nits, false, shade);
+}
+
+void LightChooser::light(PointBuffer& points, PointBuffer::Range range, double tolerance,
+                         bool measured, const Shade& shade) {
+  const bool traced = context_.trace != nullptr;
+  const std::size_t most_exact = traced ? k_most_traced : std::numeric_limits<std::size_t>::max();
+  const BatchBounds bounds = points.measure(kernel_, context_, range);
+  const Width width = widest_field(bounds);
+  bool split = range.size() >= 4 * k_smallest_range && width.relative > k_wide;
+  if (!split) {
+    const std::size_t nodes = tree_.choose(bounds, tolerance, choice_);
+    if (range.size() >= 2 * k_smallest_range) {
+      const double own = double(std::min(choice_.single_count, most_exact));
+      const double shared = double(choice_.entries.size()) - own;
+      const double shading =
+          double(range.size()) * (own * (traced ? k_traced_cost : 1.0) + k_far_cost * shared);
+      split = shading * std::min(width.relative, 1.0) > k_choosing_cost * double(nodes);
+    }
+  }
+  if (split) {
+    const std::size_t middle = points.split(range, width.field);
+    light(points, {range.begin, middle}, tolerance, false, shade);
+    light(points, {middle, range.end}, tolerance, false, shade);
+    return;
+  }
+  if (!measured || traced) {
+    // What the range shows, and of which lights.
+    tree_.arrange(traced ? k_most_probed : most_exact, choice_);
+    const double level =
+        std::clamp(measure_level(points, range), k_darkest * scale_.view_nits, scale_.view_nits);
+    if (!measured && tolerance > k_near_enough * scale_.light_error * level) {
+      light(points, range, scale_.light_error * level, true, shade);
+      return;
+    }
+  }
+  tree_.arrange(most_exact, choice_);
+  shade(range, choice_);
+}
+
+double LightChooser::measure_level(const PointBuffer& points, PointBuffer::Range range) {
+  const bool traced = context_.trace != nullptr;
+  probe_.clear();
+  points.thin(range, k_probe_points, probe_);
+  const std::size_t count = probe_.size();
+  KernelContext context = context_;
+  context.light_samples = 1;
+  context.brdf_samples = 0;
+
+  const std::size_t singles = choice_.exact.size(), slots = singles + 2;
+  probe_slots_.resize(singles);
+  for (std::size_t i = 0; i < singles; ++i)
+    probe_slots_[i] = std::int32_t(i);
+  probe_sums_.assign(traced ? slots * k_ratio_sum_count * count : 0, 0.0f);
+  probe_radiance_.assign(count, Vec3f(0.0f));
+  far_reach_.assign(2 * choice_.far.size(), 0.0f);
+  Lighting lighting;
+  lighting.lights = choice_.exact;
+  lighting.slots = probe_slots_;
+  lighting.far[0] = {choice_.far.data(), int(choice_.far_open), int(singles), k_far_light_samples,
+                     far_reach_.data()};
+  lighting.far[1] = {choice_.far.data() + choice_.far_open,
+                     int(choice_.far.size() - choice_.far_open), int(singles) + 1,
+                     k_hidden_light_samples, far_reach_.data() + 2 * choice_.far_open};
+  probe_.shade(kernel_, context, probe_.all(), lighting, probe_radiance_, probe_sums_, int(count));
+
+  std::array<float, k_probe_points> levels{};
+  if (traced) {
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      double reached = 0, all = 0;
+      const bool far = slot >= singles;
+      const float* radiance = far ? nullptr : context_.area_lights[choice_.exact[slot]].radiance;
+      for (std::size_t p = 0; p < count; ++p) {
+        const float* sums = probe_sums_.data() + slot * k_ratio_sum_count * count + p;
+        float light[3];
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float closed = sums[(k_closed_r + c) * count],
+                      unshadowed = sums[(k_unshadowed_r + c) * count],
+                      shadowed = sums[(k_shadowed_r + c) * count];
+          const float ratio = unshadowed > 0 ? shadowed / unshadowed : 0;
+          light[c] = closed * ratio * (radiance ? radiance[c] : 1.0f);
+          reached += double(closed * ratio);
+          all += double(closed);
+        }
+        probe_radiance_[p] += Vec3f(light[0], light[1], light[2]);
+      }
+      if (!far)
+        choice_.entries[choice_.exact_entry[slot]].reach = all > 0 ? float(reached / all) : 0;
+    }
+    // A group of which no sample was drawn may reach the points.
+    for (std::size_t g = 0; g < choice_.far.size(); ++g)
+      choice_.entries[choice_.far_entry[g]].reach =
+          far_reach_[2 * g] > 0 ? far_reach_[2 * g + 1] / far_reach_[2 * g] : 1;
+  }
+  for (std::size_t p = 0; p < count; ++p)
+    levels[p] = largest(probe_radiance_[p]);
+  const std::size_t darker = std::min(k_darker_points * count / k_probe_points, count - 1);
+  std::nth_element(levels.begin(), levels.begin() + std::ptrdiff_t(darker),
+                   levels.begin() + std::ptrdiff_t(count));
+  return double(levels[darker]);
+}
+
+LightChooser::Width LightChooser::widest_field(const BatchBounds& bounds) const {
+  static constexpr std::pair<int, PointField> fields[] = {
+      {k_bound_position, k_position_x},     {k_bound_position + 1, k_position_y},
+      {k_bound_position + 2, k_position_z}, {k_bound_normal, k_normal_x},
+      {k_bound_normal + 1, k_normal_y},     {k_bound_normal + 2, k_normal_z}};
+  Width widest;
+  for (const auto& [bound, field] : fields) {
+    const double extent = double(bounds.upper[bound]) - double(bounds.lower[bound]);
+    const double relative = field < k_normal_x ? extent / light_spacing_ : extent;
+    if (relative > widest.relative) widest = {field, relative};
+  }
+  return widest;
+}
+
+} // namespace openltc::render
