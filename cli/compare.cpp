@@ -8,6 +8,7 @@
 #include "cli/compare_input.h"
 #include "cli/convert_picture.h"
 #include "cli/output_place.h"
+#include "cli/pose_options.h"
 #include "cli/reading_options.h"
 #include "cli/standard_streams.h"
 #include "openltc/base/message.h"
@@ -413,6 +414,9 @@ void add_compare(CLI::App& app, int& exit_code) {
                    "The camera they show it from, as for openltc render [the first]")
       ->needs("--scene");
   add_reading_options(*command, options->reading);
+  add_pose_options(*command, options->reading.pose);
+  for (const char* option : {"--time", "--animation"})
+    command->get_option(option)->needs("--scene");
   command->add_option("--mask", options->mask,
                       "Compare only pixels where this picture is not black");
   command

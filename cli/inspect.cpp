@@ -6,6 +6,7 @@
 #include "cli/inspect.h"
 
 #include "cli/commands.h"
+#include "cli/pose_options.h"
 #include "cli/reading_options.h"
 #include "cli/shape_options.h"
 #include "cli/standard_streams.h"
@@ -47,8 +48,7 @@ constexpr Kind k_kinds[] = {
     {".ldt", inspect_photometry},
 };
 
-Result<Description> describe(const std::string& path, const scene::EmissiveOptions& emissive,
-                             const scene::ReadOptions& reading) {
+Result<Description> describe(const std::string& path, const InspectArguments& arguments) {
   std::error_code ec;
   const auto status = std::filesystem::status(path, ec);
   if (std::filesystem::is_directory(status)) return Error{fmt::format("{}: is a directory", path)};
@@ -60,7 +60,8 @@ Result<Description> describe(const std::string& path, const scene::EmissiveOptio
       // A table of two files goes by the name of neither: ggx.dds is ggx_1.dds and ggx_2.dds.
       const bool may_be_two = kind.inspect == inspect_table || kind.inspect == inspect_exr;
       if (!std::filesystem::exists(status) && !(may_be_two && table::table_exists(path))) break;
-      return kind.inspect ? kind.inspect(path) : inspect_scene(path, emissive, reading);
+      return kind.inspect ? kind.inspect(path)
+                          : inspect_scene(path, arguments.emissive, arguments.reading);
     }
   if (!std::filesystem::exists(status)) return Error{fmt::format("{}: no such file", path)};
   return Error{fmt::format(
@@ -74,8 +75,7 @@ int run_inspect(const InspectArguments& arguments) {
   image::PictureName name = image::split_picture_name(arguments.path);
   if (!arguments.layer.empty()) name.layer = arguments.layer;
   const Result<Description> description =
-      name.layer.empty() ? describe(name.path, arguments.emissive, arguments.reading)
-                         : inspect_picture(name.path, name.layer);
+      name.layer.empty() ? describe(name.path, arguments) : inspect_picture(name.path, name.layer);
   if (!description) return fail("inspect", description.error());
   if (!arguments.json) {
     put("{}", description->text);
@@ -95,8 +95,8 @@ void add_inspect(CLI::App& app, int& exit_code) {
       "inspect", "Say what a file is: a scene, a picture, a luminaire or a lobe table");
   command->footer(
       "A scene (.gltf .glb): geometry, cameras by number and name, lights in nits, candela and\n"
-      "lumens, and what the importer warns about. A picture (.exr .hdr .png .jpg): size, parts "
-      "and\n"
+      "lumens, animations, and what the importer warns about; coordinates are the file's.\n"
+      "A picture (.exr .hdr .png .jpg): size, parts and\n"
       "layers, range and mean of each channel, NaN and infinities, and for scene-linear ones the\n"
       "exposure that openltc compare --exposure auto would choose. A lobe table (.json .dds .ktx2 "
       ".exr .npy): its "
@@ -123,6 +123,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
                       "Of an .exr this layer only; FILE.exr:LAYER means the same");
   add_shape_options(*command, arguments->emissive);
   add_reading_options(*command, arguments->reading);
+  add_pose_options(*command, arguments->reading.pose);
   command->add_flag("--json", arguments->json, "Print as JSON");
   command->callback([arguments, &exit_code] { exit_code = run_inspect(*arguments); });
 }

@@ -39,7 +39,7 @@ Result<Description> inspect_exr(const std::string& path);
 Result<Description> inspect_picture(const std::string& path, const std::string& layer = "");
 /// A photometric file, .ies .ldt: flux, peak, angles, symmetry, opening, what it states.
 Result<Description> inspect_photometry(const std::string& path);
-/// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, warnings.
+/// A glTF scene, .gltf .glb: geometry, cameras, lights in photometric units, animations, warnings.
 Result<Description> inspect_scene(const std::string& path, const scene::EmissiveOptions& emissive,
                                   const scene::ReadOptions& reading);
 

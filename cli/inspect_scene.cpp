@@ -32,6 +32,16 @@ constexpr std::size_t k_max_listed = 24;
 double degrees(double angle_rad) { return angle_rad * 180 / std::numbers::pi; }
 
 Json numbers(Vec3f v) { return Json::array({v.x, v.y, v.z}); }
+Json numbers(Vec3d v) { return Json::array({v.x, v.y, v.z}); }
+
+/// Coordinates of a scene as the file has them (Scene::origin).
+struct Place {
+  Vec3d origin;
+  Json operator()(Vec3f p) const {
+    const bool is_moved = origin.x != 0 || origin.y != 0 || origin.z != 0;
+    return is_moved ? numbers(origin + to_double(p)) : numbers(p);
+  }
+};
 
 void describe_geometry(const scene::Scene& scene, Description& out) {
   std::size_t triangles = 0, vertices = 0;
@@ -40,13 +50,20 @@ void describe_geometry(const scene::Scene& scene, Description& out) {
     vertices += mesh.positions.size();
   }
   const Vec3f size = scene.bounds.upper - scene.bounds.lower;
-  const Vec3f low = scene.bounds.lower, high = scene.bounds.upper;
+  const Vec3d low = scene.origin + to_double(scene.bounds.lower);
+  const Vec3d high = scene.origin + to_double(scene.bounds.upper);
+  const auto point = [&](Vec3d p) {
+    // As many digits as tell places of the scene apart.
+    const bool is_far = length(scene.origin) > 0;
+    return is_far ? fmt::format("({:.3f}, {:.3f}, {:.3f})", p.x, p.y, p.z)
+                  : fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
+  };
   out.text += fmt::format(
       "scene, {} meshes, {} triangles, {} vertices, {} materials, {} textures\n",
       scene.meshes.size(), triangles, vertices, scene.materials.size(), scene.textures.size());
-  out.text += fmt::format("bounds     {:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g}) to "
-                          "({:.4g}, {:.4g}, {:.4g})\n",
-                          size.x, size.y, size.z, low.x, low.y, low.z, high.x, high.y, high.z);
+  out.text += fmt::format("bounds     {:.4g} x {:.4g} x {:.4g} m, from {} to {}\n", size.x, size.y,
+                          size.z, point(low), point(high));
+  const Place place{scene.origin};
   out.json["meshes"] = scene.meshes.size();
   out.json["triangles"] = triangles;
   out.json["vertices"] = vertices;
@@ -57,7 +74,8 @@ void describe_geometry(const scene::Scene& scene, Description& out) {
   for (const scene::Texture& texture : scene.textures)
     out.json["textures"].push_back(
         {{"width", texture.image.width}, {"height", texture.image.height}});
-  out.json["bounds_m"] = {{"lower", numbers(low)}, {"upper", numbers(high)}};
+  out.json["bounds_m"] = {{"lower", place(scene.bounds.lower)},
+                          {"upper", place(scene.bounds.upper)}};
 }
 
 void describe_cameras(const scene::Scene& scene, Description& out) {
@@ -68,7 +86,7 @@ void describe_cameras(const scene::Scene& scene, Description& out) {
     const bool is_perspective = camera.projection == scene::Projection::perspective;
     Json json = {{"number", i}, {"name", camera.name}};
     json["type"] = is_perspective ? "perspective" : "orthographic";
-    json["position_m"] = numbers(camera.position);
+    json["position_m"] = Place{scene.origin}(camera.position);
     if (is_perspective)
       json["fov_y_degrees"] = degrees(double(camera.fov_y_rad));
     else
@@ -115,7 +133,7 @@ struct ShapeDescription {
   std::string text;
 };
 
-ShapeDescription describe_shape(const light::PolygonLight& light) {
+ShapeDescription describe_shape(const light::PolygonLight& light, const Place&) {
   const Vec2d size = extent_of(light);
   std::size_t holes = 0;
   for (std::size_t r = 0; r < light.ring_end.size(); ++r)
@@ -129,30 +147,30 @@ ShapeDescription describe_shape(const light::PolygonLight& light) {
                       size.x, size.y)};
 }
 
-ShapeDescription describe_shape(const light::EllipseLight& light) {
+ShapeDescription describe_shape(const light::EllipseLight& light, const Place& place) {
   const double x = double(length(light.half_u)), y = double(length(light.half_v));
   const bool is_disk = std::abs(x - y) <= 1e-5 * std::max(x, y);
-  Json json = {{"center_m", numbers(light.center)},
+  Json json = {{"center_m", place(light.center)},
                {"size_m", Json::array({2 * x, 2 * y})},
                {"radii_m", Json::array({x, y})}};
   if (is_disk) return {"disk", json, fmt::format("disk, {:.4g} m across", 2 * x)};
   return {"ellipse", json, fmt::format("ellipse, {:.4g} x {:.4g} m", 2 * x, 2 * y)};
 }
 
-ShapeDescription describe_shape(const light::SphereLight& light) {
+ShapeDescription describe_shape(const light::SphereLight& light, const Place& place) {
   return {"sphere",
-          {{"center_m", numbers(light.center)}, {"radius_m", light.radius}},
+          {{"center_m", place(light.center)}, {"radius_m", light.radius}},
           fmt::format("sphere, {:.4g} m across", 2 * light.radius)};
 }
 
-ShapeDescription describe_shape(const light::TubeLight& light) {
+ShapeDescription describe_shape(const light::TubeLight& light, const Place& place) {
   const char* const caps = light.caps == light::TubeCaps::none   ? "none"
                            : light.caps == light::TubeCaps::flat ? "flat"
                                                                  : "round";
   const double metres = length_between(light.from, light.to);
   return {"tube",
-          {{"from_m", numbers(light.from)},
-           {"to_m", numbers(light.to)},
+          {{"from_m", place(light.from)},
+           {"to_m", place(light.to)},
            {"length_m", metres},
            {"radius_m", light.radius},
            {"caps", caps}},
@@ -169,9 +187,9 @@ Vec3f picture_mean(const light::EllipseLight& light, const light::Lights& lights
 }
 
 template <class Light>
-void describe_light(const Light& light, const light::Lights& lights, Description& out,
-                    bool is_listed) {
-  const ShapeDescription shape = describe_shape(light);
+void describe_light(const Light& light, const light::Lights& lights, const Place& place,
+                    Description& out, bool is_listed) {
+  const ShapeDescription shape = describe_shape(light, place);
   const double area = light::area(light);
   const double lumens =
       double(image::luminance(light::flux_lumens(light) * picture_mean(light, lights)));
@@ -198,15 +216,15 @@ void describe_light(const Light& light, const light::Lights& lights, Description
                             quote(light.name), shape.text, area, nits, lumens, more);
 }
 
-void describe_light(const light::LineLight& light, const light::Lights&, Description& out,
-                    bool is_listed) {
+void describe_light(const light::LineLight& light, const light::Lights&, const Place& place,
+                    Description& out, bool is_listed) {
   const double metres = length_between(light.from, light.to);
   const float strength = image::luminance(light.intensity_per_metre);
   const double lumens = double(image::luminance(light::flux_lumens(light)));
   out.json["lights"].push_back({{"name", light.name},
                                 {"type", "line"},
-                                {"from_m", numbers(light.from)},
-                                {"to_m", numbers(light.to)},
+                                {"from_m", place(light.from)},
+                                {"to_m", place(light.to)},
                                 {"length_m", metres},
                                 {"intensity_candela_per_metre", strength},
                                 {"flux_lumens", lumens}});
@@ -215,7 +233,8 @@ void describe_light(const light::LineLight& light, const light::Lights&, Descrip
                             quote(light.name), metres, strength, lumens);
 }
 
-void describe_punctual(const light::PunctualLight& light, Description& out, bool is_listed) {
+void describe_punctual(const light::PunctualLight& light, const Place& place, Description& out,
+                       bool is_listed) {
   const double strength = double(image::luminance(light.intensity));
   const char* const type = light.type == light::PunctualType::point  ? "point"
                            : light.type == light::PunctualType::spot ? "spot"
@@ -226,7 +245,7 @@ void describe_punctual(const light::PunctualLight& light, Description& out, bool
     json["illuminance_lux"] = strength;
     text = fmt::format("{:.4g} lux", strength);
   } else {
-    json["position_m"] = numbers(light.position);
+    json["position_m"] = place(light.position);
     json["intensity_candela"] = strength;
     text = fmt::format("{:.4g} cd", strength);
   }
@@ -255,14 +274,15 @@ void describe_punctual(const light::PunctualLight& light, Description& out, bool
     out.text += fmt::format("light      \"{}\": {}, {}\n", quote(light.name), type, text);
 }
 
-void describe_lights(const scene::Scene& scene, Description& out) {
+void describe_lights(const scene::Scene& scene, const Place& place, Description& out) {
   const light::Lights& lights = scene.lights;
   out.json["lights"] = Json::array();
   std::size_t listed = 0;
-  lights.for_each_area_light(
-      [&](const auto& light) { describe_light(light, lights, out, listed++ < k_max_listed); });
+  lights.for_each_area_light([&](const auto& light) {
+    describe_light(light, lights, place, out, listed++ < k_max_listed);
+  });
   for (const light::PunctualLight& light : lights.punctual)
-    describe_punctual(light, out, listed++ < k_max_listed);
+    describe_punctual(light, place, out, listed++ < k_max_listed);
   out.json["describes_lights"] = scene.describes_lights;
   if (listed == 0)
     out.text += scene.describes_lights
@@ -271,6 +291,22 @@ void describe_lights(const scene::Scene& scene, Description& out) {
   if (listed > k_max_listed)
     out.text +=
         fmt::format("light      and {} more; --json lists them all\n", listed - k_max_listed);
+}
+
+void describe_animations(const scene::Scene& scene, Description& out) {
+  out.json["animations"] = Json::array();
+  for (std::size_t i = 0; i < scene.animations.size(); ++i) {
+    const scene::Animation& animation = scene.animations[i];
+    out.json["animations"].push_back({{"number", i},
+                                      {"name", animation.name},
+                                      {"duration_seconds", animation.duration_seconds}});
+    if (i < k_max_listed)
+      out.text += fmt::format("animation  {} \"{}\": {:.4g} s\n", i, animation.name,
+                              animation.duration_seconds);
+  }
+  if (scene.animations.size() > k_max_listed)
+    out.text += fmt::format("animation  and {} more; --json lists them all\n",
+                            scene.animations.size() - k_max_listed);
 }
 
 } // namespace
@@ -283,7 +319,8 @@ Result<Description> inspect_scene(const std::string& path, const scene::Emissive
   out.json = {{"file", path}, {"kind", "scene"}};
   describe_geometry(*scene, out);
   describe_cameras(*scene, out);
-  describe_lights(*scene, out);
+  describe_lights(*scene, Place{scene->origin}, out);
+  describe_animations(*scene, out);
   out.json["warnings"] = scene->warnings;
   for (const std::string& warning : scene->warnings)
     out.text += fmt::format("warning    {}\n", warning);

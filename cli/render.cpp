@@ -10,6 +10,7 @@
 #include "cli/number.h"
 #include "cli/output_place.h"
 #include "cli/picture_output.h"
+#include "cli/pose_options.h"
 #include "cli/reading_options.h"
 #include "cli/shape_options.h"
 #include "cli/standard_streams.h"
@@ -256,7 +257,7 @@ int run_render(const RenderArguments& arguments) {
       choose_camera(scene, arguments.camera, arguments.scene, wanted_aspect);
   if (!camera) return fail("render", camera.error());
   if (!size_given && camera->aspect > 0)
-    options.width = std::clamp(int(float(options.height) * camera->aspect + 0.5f), 16, 8192);
+    options.width = int(std::clamp(float(options.height) * camera->aspect + 0.5f, 16.0f, 8192.0f));
   const Result<LightsChosen> lights = choose_lights(scene, arguments.lights, *camera);
   if (!lights) return fail("render", lights.error());
   if (lights->studio_level) {
@@ -432,6 +433,7 @@ void add_render(CLI::App& app, int& exit_code) {
       ->type_name(words_of(choices));
   add_shape_options(*command, a.emissive);
   add_reading_options(*command, a.reading);
+  add_pose_options(*command, a.reading.pose);
   command
       ->add_option(
           "--camera", a.camera,

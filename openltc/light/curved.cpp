@@ -17,7 +17,7 @@ constexpr double k_pi = std::numbers::pi;
 double length_of(Vec3f v) { return length(to_double(v)); }
 
 // Whether an axis has a length that shading can square.
-bool is_extent(double metres) { return metres > 1e-12 && metres < 1e12; }
+bool is_extent(double metres) { return metres > 1e-12 && metres <= k_max_metres; }
 
 template <class Light> Vec3f flux_of(const Light& light) {
   return light.radiance * float(exitance_per_radiance(light) * area(light));
@@ -62,9 +62,9 @@ float mean_emission(const TubeLight& light) {
 
 Status validate(const EllipseLight& light) {
   const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
-  if (!is_finite(light.center)) return wrong("the centre is not finite");
+  if (!is_place(light.center)) return wrong("the centre is not within 4e8 m of the scene");
   const double u = length_of(light.half_u), v = length_of(light.half_v);
-  if (!is_extent(u) || !is_extent(v)) return wrong("a semi-axis is not greater than zero");
+  if (!is_extent(u) || !is_extent(v)) return wrong("a semi-axis is not between 1e-12 and 1e8 m");
   const double across = double(dot(light.half_u, light.half_v));
   if (!(std::abs(across) <= 1e-3 * u * v)) return wrong("the semi-axes are not perpendicular");
   return validate_emitter(light);
@@ -72,25 +72,27 @@ Status validate(const EllipseLight& light) {
 
 Status validate(const SphereLight& light) {
   const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
-  if (!is_finite(light.center)) return wrong("the centre is not finite");
-  if (!is_extent(double(light.radius))) return wrong("the radius is not greater than zero");
+  if (!is_place(light.center)) return wrong("the centre is not within 4e8 m of the scene");
+  if (!is_extent(double(light.radius))) return wrong("the radius is not between 1e-12 and 1e8 m");
   return validate_emitter(light);
 }
 
 Status validate(const TubeLight& light) {
   const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
-  if (!is_finite(light.from) || !is_finite(light.to)) return wrong("an end is not finite");
-  if (!is_extent(double(light.radius))) return wrong("the radius is not greater than zero");
+  if (!is_place(light.from) || !is_place(light.to))
+    return wrong("an end is not within 4e8 m of the scene");
+  if (!is_extent(double(light.radius))) return wrong("the radius is not between 1e-12 and 1e8 m");
   if (!is_extent(length_of(light.to - light.from)))
-    return wrong("the length is not greater than zero");
+    return wrong("the length is not between 1e-12 and 1e8 m");
   return validate_emitter(light);
 }
 
 Status validate(const LineLight& light) {
   const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
-  if (!is_finite(light.from) || !is_finite(light.to)) return wrong("an end is not finite");
+  if (!is_place(light.from) || !is_place(light.to))
+    return wrong("an end is not within 4e8 m of the scene");
   if (!is_extent(length_of(light.to - light.from)))
-    return wrong("the length is not greater than zero");
+    return wrong("the length is not between 1e-12 and 1e8 m");
   if (!is_finite(light.intensity_per_metre) || !is_non_negative(light.intensity_per_metre))
     return wrong("the intensity per metre is negative or not finite");
   return Success{};

@@ -14,6 +14,11 @@ namespace openltc::light {
 
 bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+bool is_place(Vec3f p) { // false for NaN
+  constexpr float k_limit = float(4 * k_max_metres);
+  return std::abs(p.x) <= k_limit && std::abs(p.y) <= k_limit && std::abs(p.z) <= k_limit;
+}
+
 bool is_non_negative(Vec3f v) { return v.x >= 0 && v.y >= 0 && v.z >= 0; }
 
 bool is_unit(Vec3f v) { return std::abs(length(to_double(v)) - 1) < 1e-3; }

@@ -19,6 +19,10 @@
 
 namespace openltc::light {
 
+/// Metres: the coordinates of a file lie between minus this and this, and radii, lengths and views
+/// are no larger. Of what lies within, areas squared are far from the end of single precision.
+inline constexpr double k_max_metres = 1e8;
+
 /// What every light with an extent has, whatever its shape.
 struct Emitter {
   std::string name;

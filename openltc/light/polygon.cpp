@@ -48,8 +48,8 @@ Status validate(const PolygonLight& light) {
       return wrong("a ring has fewer than three vertices");
     begin = end;
   }
-  if (!std::all_of(light.vertices.begin(), light.vertices.end(), is_finite))
-    return wrong("a vertex is not finite");
+  if (!std::all_of(light.vertices.begin(), light.vertices.end(), is_place))
+    return wrong("a vertex is not within 4e8 m of the scene");
   if (!is_finite(light.normal) || !is_unit(light.normal)) return wrong("the normal is not unit");
   if (const Status status = validate_emitter(light); !status.ok()) return status.error();
   const double total = area(light);
@@ -72,7 +72,7 @@ Status validate(const PolygonLight& light) {
 
 Status validate(const PunctualLight& light) {
   const auto wrong = [&](const char* what) { return wrong_light(light.name, what); };
-  if (!is_finite(light.position)) return wrong("the position is not finite");
+  if (!is_place(light.position)) return wrong("the position is not within 4e8 m of the scene");
   if (!is_finite(light.intensity) || !is_non_negative(light.intensity))
     return wrong("the intensity is negative or not finite");
   if (!std::isfinite(light.range) || light.range < 0) return wrong("the range is negative");

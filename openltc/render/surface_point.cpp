@@ -43,6 +43,29 @@ Vec3f safe_normalize(Vec3f v, Vec3f fallback) {
 
 float saturate(float x) { return std::clamp(x, 0.0f, 1.0f); }
 
+// In double, so that it is off by no more than its rounding.
+Vec3f position_of(const scene::Mesh& mesh, const Corner& c) {
+  return to_float(to_double(mesh.positions[c.a]) * (1 - double(c.wb) - double(c.wc)) +
+                  to_double(mesh.positions[c.b]) * double(c.wb) +
+                  to_double(mesh.positions[c.c]) * double(c.wc));
+}
+
+// How far shadow rays start off the surface. The corners, the point and the ray's origin are
+// rounded to 2^-24 of their coordinates each; the ray tracer subtracts the origin from the corners
+// and multiplies, which errs by a few times 2^-24 of the triangle's size. All that does not depend
+// on how far away the camera is.
+float offset_of(const scene::Mesh& mesh, const Corner& c) {
+  constexpr float k_roundings = 16.0f / 16777216;
+  const Vec3f &pa = mesh.positions[c.a], &pb = mesh.positions[c.b], &pc = mesh.positions[c.c];
+  float magnitude = 0;
+  for (const Vec3f& p : {pa, pb, pc})
+    magnitude = std::max({magnitude, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const Vec3f e1 = pb - pa, e2 = pc - pa;
+  const float size = std::max({std::abs(e1.x), std::abs(e1.y), std::abs(e1.z), std::abs(e2.x),
+                               std::abs(e2.y), std::abs(e2.z)});
+  return k_roundings * (magnitude + size);
+}
+
 // Side of a square of uv that covers as much as a square metre of the triangle.
 float uv_per_metre(const std::vector<Vec2f>& tex_coord, const Corner& c, Vec3f area_vector) {
   if (tex_coord.empty()) return 0;
@@ -98,19 +121,14 @@ SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textu
 
   SurfacePoint s;
   s.view = -direction;
-  s.position = interpolate(mesh.positions, c);
+  s.position = position_of(mesh, c);
   const Vec3f& pa = mesh.positions[c.a];
   const Vec3f area_vector = cross(mesh.positions[c.b] - pa, mesh.positions[c.c] - pa);
   const Vec3f front = safe_normalize(area_vector, s.view);
   const bool from_front = dot(front, s.view) >= 0;
   s.geometric = from_front ? front : -front;
 
-  // The position is interpolated between corners, so its rounding grows with their coordinates; it
-  // does not depend on how far away the camera is.
-  const float magnitude =
-      std::max({std::abs(pa.x), std::abs(pa.y), std::abs(pa.z), std::abs(s.position.x),
-                std::abs(s.position.y), std::abs(s.position.z)});
-  s.offset = magnitude * 1.0e-5f;
+  s.offset = offset_of(mesh, c);
 
   // Footprint of the pixel on the surface, in uv; the shorter axis of the ellipse, since several
   // samples per pixel cover the longer one.

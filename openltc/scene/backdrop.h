@@ -18,8 +18,9 @@ Vec3d area_vector(const Mesh& mesh, std::uint32_t triangle);
 Vec3d common_normal(const Scene& scene, const std::vector<SubjectPart>& parts);
 
 /// Whether `part` is thin and the middle of `rest` lies before or behind it, while `rest` stands
-/// out of its plane; or, where it is not thin, whether from the middle of `rest` at least two fifths of all directions
-/// meet the part on a side that can be seen. The caller has found it to be much larger than `rest`.
+/// out of its plane; or, where it is not thin, whether from the middle of `rest` at least two
+/// fifths of all directions meet the part on a side that can be seen. The caller has found it to be
+/// much larger than `rest`.
 bool is_backdrop(const Scene& scene, const SubjectPart& part, const Bounds& rest);
 
 } // namespace openltc::scene

@@ -15,7 +15,9 @@ Result<Scene> load_gltf(const std::string& path, const EmissiveOptions& emissive
   return gltf::guarded(path, [&] {
     MemoryShare memory;
     const std::vector<std::uint8_t> bytes = gltf::read_scene_file(path, memory);
-    return gltf::import_gltf(bytes, gltf::folder_of(path, reading.allow_outside), emissive).scene;
+    return gltf::import_gltf(bytes, gltf::folder_of(path, reading.allow_outside), emissive,
+                             reading.pose)
+        .scene;
   });
 }
 
@@ -23,7 +25,8 @@ Result<Scene> load_gltf_memory(std::span<const std::uint8_t> bytes, const std::s
                                const std::string& base_dir, const EmissiveOptions& emissive,
                                const ReadOptions& reading) {
   return gltf::guarded(name, [&] {
-    return gltf::import_gltf(bytes, {base_dir, reading.allow_outside}, emissive).scene;
+    return gltf::import_gltf(bytes, {base_dir, reading.allow_outside}, emissive, reading.pose)
+        .scene;
   });
 }
 

@@ -17,8 +17,9 @@
 namespace openltc::scene {
 
 /// Reads a glTF file and everything it refers to; `emissive` says how emissive surfaces become
-/// lights. What cannot be read but can be spared (a texture, a light) costs a warning. The memory
-/// that the file asks for is counted in memory_budget().
+/// lights, `reading` at which moment of an animation it is read, and from where. What cannot be
+/// read but can be spared (a texture, a light) costs a warning. The memory that the file asks for
+/// is counted in memory_budget().
 /// An Error names the file and the field (e.g. "a.gltf: accessors[3].count: ..."). Never throws.
 Result<Scene> load_gltf(const std::string& path, const EmissiveOptions& emissive = {},
                         const ReadOptions& reading = {});

@@ -102,16 +102,16 @@ std::size_t component_size(int component_type) {
 }
 
 // Calls store(element, bytes of the element) for each value that the accessor's own data and then
-// its sparse part hold.
+// its sparse part hold, of the elements from `first` to `end` - 1.
 template <class Store>
 void visit_elements(const Document& document, int index, std::size_t element_size,
-                    const Store& store) {
+                    std::size_t first, std::size_t end, const Store& store) {
   const tinygltf::Accessor& accessor = document.model->accessors[std::size_t(index)];
   const std::string field = accessor_field(index);
   if (accessor.bufferView >= 0) {
     const Range range = element_range(document, accessor.bufferView, accessor.byteOffset,
                                       accessor.count, element_size, true, field);
-    for (std::size_t i = 0; i < accessor.count; ++i)
+    for (std::size_t i = first; i < end; ++i)
       store(i, range.data + i * range.stride);
   }
   if (!accessor.sparse.isSparse) return;
@@ -134,7 +134,7 @@ void visit_elements(const Document& document, int index, std::size_t element_siz
     if (element >= accessor.count)
       fail(field + ".sparse.indices",
            fmt::format("element {} is out of range, there are {}", element, accessor.count));
-    store(element, values.data + i * values.stride);
+    if (element >= first && element < end) store(element, values.data + i * values.stride);
   }
 }
 
@@ -159,6 +159,10 @@ void check_count(const Document& document, int index, std::size_t element_size) 
 std::string accessor_field(int index) { return fmt::format("accessors[{}]", index); }
 
 Floats read_floats(const Document& document, int index) {
+  return read_floats(document, index, 0, document.model->accessors[std::size_t(index)].count);
+}
+
+Floats read_floats(const Document& document, int index, std::size_t first, std::size_t count) {
   const tinygltf::Accessor& accessor = document.model->accessors[std::size_t(index)];
   const int type = accessor.componentType;
   const std::size_t size = component_size(type);
@@ -167,16 +171,31 @@ Floats read_floats(const Document& document, int index) {
     fail(accessor_field(index) + ".type", "a matrix cannot be a vertex attribute");
   Floats result;
   result.components = std::size_t(components);
-  result.count = accessor.count;
+  result.count = count;
   check_count(document, index, size * result.components);
   result.values.resize(result.count * result.components);
-  visit_elements(document, index, size * result.components,
+  visit_elements(document, index, size * result.components, first, first + count,
                  [&](std::size_t element, const std::uint8_t* bytes) {
                    for (std::size_t c = 0; c < result.components; ++c)
-                     result.values[element * result.components + c] =
+                     result.values[(element - first) * result.components + c] =
                          load_component(bytes + c * size, type, accessor.normalized);
                  });
   return result;
+}
+
+std::vector<std::array<float, 16>> read_matrices(const Document& document, int index) {
+  const tinygltf::Accessor& accessor = document.model->accessors[std::size_t(index)];
+  if (accessor.type != TINYGLTF_TYPE_MAT4 ||
+      accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
+    fail(accessor_field(index) + ".type", "must be MAT4 of floats to hold matrices");
+  constexpr std::size_t size = 16 * sizeof(float);
+  check_count(document, index, size);
+  std::vector<std::array<float, 16>> matrices(accessor.count);
+  visit_elements(document, index, size, 0, accessor.count,
+                 [&](std::size_t element, const std::uint8_t* bytes) {
+                   std::memcpy(matrices[element].data(), bytes, size);
+                 });
+  return matrices;
 }
 
 std::vector<std::uint32_t> read_indices(const Document& document, int index) {
@@ -192,9 +211,10 @@ std::vector<std::uint32_t> read_indices(const Document& document, int index) {
   const std::size_t size = component_size(type);
   check_count(document, index, size);
   std::vector<std::uint32_t> indices(accessor.count);
-  visit_elements(document, index, size, [&](std::size_t element, const std::uint8_t* bytes) {
-    indices[element] = load_index(bytes, type);
-  });
+  visit_elements(document, index, size, 0, accessor.count,
+                 [&](std::size_t element, const std::uint8_t* bytes) {
+                   indices[element] = load_index(bytes, type);
+                 });
   return indices;
 }
 

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -26,6 +27,13 @@ struct Floats {
 /// Reads accessors[index]. Throws Failure when its data does not lie within its buffer view; checks
 /// that before it allocates.
 Floats read_floats(const Document& document, int index);
+
+/// Elements `first` to `first + count` - 1 of accessors[index] alone, which must lie within it.
+Floats read_floats(const Document& document, int index, std::size_t first, std::size_t count);
+
+/// Reads accessors[index], MAT4 of floats, 16 numbers each, column by column. Throws Failure as
+/// read_floats does, and when it is of another type.
+std::vector<std::array<float, 16>> read_matrices(const Document& document, int index);
 
 /// Reads accessors[index] as whole numbers, for triangle indices. Throws Failure as read_floats
 /// does, and when its type is not an unsigned SCALAR.

@@ -248,6 +248,37 @@ void read_extras(const json& root, Document& document) {
   }
 }
 
+// Whether the part's structure is right; a warning says what is wrong and what follows.
+bool is_usable(json& root, json& part, const std::string& path, const char* type,
+               const char* consequence, Document& document) {
+  try {
+    check_member(root, part, path, type);
+    return true;
+  } catch (const Failure& failure) {
+    document.warnings.add(fmt::format("{}; {}", failure.message, consequence));
+    return false;
+  }
+}
+
+void take_animations_and_skins(json& root, Document& document) {
+  if (root.contains("animations"))
+    for (std::size_t i = 0; i < root["animations"].size(); ++i) {
+      json& animation = root["animations"][i];
+      if (is_usable(root, animation, fmt::format("animations[{}]", i), "animation",
+                    "this animation cannot be played", document))
+        document.animations.push_back({i, std::move(animation)});
+    }
+  if (root.contains("skins"))
+    for (std::size_t i = 0; i < root["skins"].size(); ++i) {
+      json& skin = root["skins"][i];
+      const bool is_right = is_usable(root, skin, fmt::format("skins[{}]", i), "skin",
+                                      "its meshes are not bent", document);
+      document.skins.push_back(is_right ? std::move(skin) : json());
+    }
+  for (const json& node : array_of(root, "nodes"))
+    document.node_skins.push_back(node.value("skin", -1));
+}
+
 // Takes away what tinygltf must not see or need not read.
 void reduce_for_tinygltf(json& root) {
   for (const char* name : {"buffers", "images", "animations", "skins", "extras"})
@@ -336,8 +367,6 @@ void read_document(const Container& container, const Folder& folder, Document& d
   check_schema(root);
   document.base_dir = folder;
   note_references(root, {folder.path, true}); // whether they may be read or not
-  document.skin_count = array_of(root, "skins").size();
-  document.animation_count = array_of(root, "animations").size();
 
   check_extensions(root.value("extensionsUsed", std::vector<std::string>()),
                    root.value("extensionsRequired", std::vector<std::string>()), document);
@@ -347,6 +376,7 @@ void read_document(const Container& container, const Folder& folder, Document& d
   list_textures(root, document);
   list_strong_materials(root, document);
   read_extras(root, document);
+  take_animations_and_skins(root, document);
   document.ies_lights = list_ies_lights(root, document.warnings);
   reduce_for_tinygltf(root);
   const int placeholder = add_placeholder_view(root);

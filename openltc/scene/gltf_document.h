@@ -51,6 +51,12 @@ struct TextureSource {
   std::string foreign;     ///< when there is none: the extension that has the picture
 };
 
+/// One of the file's animations.
+struct FileAnimation {
+  std::size_t index = 0; ///< in the file
+  nlohmann::json json;
+};
+
 /// A checked document. All indices between its parts are in range; accessors are checked when they
 /// are read.
 struct Document {
@@ -69,10 +75,11 @@ struct Document {
   std::vector<NodeExtras> extras;     ///< of each node
   std::map<std::string, int> light_textures; ///< by canonical path: index into Lights::textures
   std::map<std::string, std::string> lost_light_textures; ///< and why others cannot be read
+  std::vector<FileAnimation> animations;                  ///< those whose structure is right
+  std::vector<nlohmann::json> skins;                      ///< null where the structure is wrong
+  std::vector<int> node_skins;                            ///< of each node, -1 = none
   IesLights ies_lights;                                   ///< of EXT_lights_ies
   ProfileFiles profiles;
-  std::size_t skin_count = 0;
-  std::size_t animation_count = 0;
   Warnings warnings;
 
   std::deque<std::vector<std::uint8_t>> storage; ///< what the views point into

@@ -184,7 +184,8 @@ private:
     };
     const auto q = scale ? quaternion(to_node(light.x), to_node(light.y), to_node(light.z))
                          : quaternion(light.x, light.y, light.z);
-    const Vec3d at = scale ? to_node(light.center - to_world.column[3]) / *scale : light.center;
+    const Vec3d center = light.center + imported_.scene.origin; // in the file's coordinates
+    const Vec3d at = scale ? to_node(center - to_world.column[3]) / *scale : center;
     Json placed = {{"name", light.name},
                    {"translation", {at.x, at.y, at.z}},
                    {"rotation", {q[0], q[1], q[2], q[3]}}};

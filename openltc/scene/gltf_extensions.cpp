@@ -12,16 +12,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string_view>
 
 namespace openltc::scene::gltf {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> k_supported = {
+constexpr std::string_view k_supported[] = {
     "EXT_lights_area",
     "EXT_lights_ies",
+    "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
@@ -42,7 +43,7 @@ struct Meaning {
 constexpr std::string_view k_without_textures =
     "the plain PNG or JPEG is used where the file has one, other such textures are left out";
 
-constexpr std::array<Meaning, 20> k_unsupported = {{
+constexpr Meaning k_unsupported[] = {
     {"KHR_materials_clearcoat", "the clear coat is left out"},
     {"KHR_materials_transmission", "such surfaces are opaque"},
     {"KHR_materials_volume", "such bodies do not tint or refract light"},
@@ -59,12 +60,11 @@ constexpr std::array<Meaning, 20> k_unsupported = {{
     {"EXT_texture_webp", k_without_textures},
     {"EXT_texture_avif", k_without_textures},
     {"MSFT_texture_dds", k_without_textures},
-    {"EXT_mesh_gpu_instancing", "only one copy of an instanced mesh is shown"},
     {"EXT_lights_image_based", "the environment's light is left out"},
     {"MSFT_lod", "the first level of detail is shown"},
-    {"KHR_animation_pointer", "nothing moves; the rest pose is shown"},
+    {"KHR_animation_pointer", "what it moves stays at rest"},
     {"KHR_node_visibility", "hidden objects are shown"},
-}};
+};
 
 // What concerns textures alone leaves shapes and lights as they are.
 bool is_about_textures(const std::string& name) {
@@ -80,7 +80,8 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 void check_extensions(const std::vector<std::string>& used,
                       const std::vector<std::string>& required, Document& document) {
   const auto is_supported = [](const std::string& name) {
-    return std::find(k_supported.begin(), k_supported.end(), name) != k_supported.end() ||
+    return std::find(std::begin(k_supported), std::end(k_supported), name) !=
+               std::end(k_supported) ||
            (name == "EXT_texture_webp" && image::can_read_webp());
   };
   for (std::size_t i = 0; i < required.size(); ++i) {
@@ -98,12 +99,12 @@ void check_extensions(const std::vector<std::string>& used,
     if (!contains(used, name)) names.push_back(name);
   for (const std::string& name : names) {
     if (is_supported(name)) continue;
-    const auto known = std::find_if(k_unsupported.begin(), k_unsupported.end(),
+    const auto known = std::find_if(std::begin(k_unsupported), std::end(k_unsupported),
                                     [&](const Meaning& m) { return m.extension == name; });
     document.warnings.add(fmt::format("{} is not supported yet: {}", quote(name),
-                                      known != k_unsupported.end() ? known->without
-                                      : is_about_textures(name)    ? k_without_textures
-                                                                   : "what it adds is left out"));
+                                      known != std::end(k_unsupported) ? known->without
+                                      : is_about_textures(name)        ? k_without_textures
+                                                                : "what it adds is left out"));
   }
 }
 

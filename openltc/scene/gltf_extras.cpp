@@ -4,6 +4,7 @@
 #include "openltc/scene/gltf_extras.h"
 
 #include "openltc/base/quote.h"
+#include "openltc/light/light.h"
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
@@ -92,7 +93,8 @@ NodeExtras read_node_extras(const json& extras, const std::string& node, Documen
   if (extras.contains(k_extras_surface_deviation))
     guarded("it is ignored", [&] {
       const json& value = extras[k_extras_surface_deviation];
-      if (!value.is_number() || !(value.get<double>() >= 0) || !(value.get<double>() < 1e18))
+      if (!value.is_number() || !(value.get<double>() >= 0) ||
+          !(value.get<double>() <= light::k_max_metres))
         fail(fmt::format("{}.extras.{}", node, k_extras_surface_deviation),
              "must be a length in metres, 0 or more");
       read.surface_deviation = value.get<double>();

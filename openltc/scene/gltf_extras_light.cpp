@@ -188,7 +188,8 @@ private:
       light.cos_inner = float(std::cos(inner * std::numbers::pi / 180));
       light.cos_outer = float(std::cos(outer * std::numbers::pi / 180));
     }
-    if (!is_far) light.range = float(p_.not_negative("range", 0));
+    if (!is_far)
+      light.range = float(std::min(p_.not_negative("range", 0), 1e2 * light::k_max_metres));
     const bool is_given = p_.has("intensity_candela") || p_.has("flux_lumens");
     if (has_profile && !is_given) {
       light.intensity = limited(read_color() * light.profile->max_candela);
@@ -205,8 +206,8 @@ private:
     add(std::move(light), lights_.punctual, "type");
   }
 
-  // A photometric file, whose aim (nadir) points along -Z and whose horizontal angle 0 along +X. Without
-  // an intensity or flux of its own, the light has the file's.
+  // A photometric file, whose aim (nadir) points along -Z and whose horizontal angle 0 along +X.
+  // Without an intensity or flux of its own, the light has the file's.
   bool read_profile(light::PunctualLight& light) {
     const std::string uri = p_.text("ies", "");
     if (uri.empty()) return false;

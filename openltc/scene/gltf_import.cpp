@@ -3,6 +3,7 @@
 
 #include "openltc/scene/gltf_import.h"
 
+#include "openltc/scene/gltf_animation.h"
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_material.h"
@@ -38,21 +39,15 @@ bool is_strong(const Document& document, std::size_t material) {
 } // namespace
 
 Imported import_gltf(std::span<const std::uint8_t> bytes, const Folder& folder,
-                     const EmissiveOptions& emissive) {
+                     const EmissiveOptions& emissive, const PoseOptions& pose) {
   Document document;
   read_document(split_container(bytes), folder, document);
   Imported imported;
   Scene& scene = imported.scene;
   scene.memory = document.scene_memory;
   read_materials(document, scene);
-  read_nodes(document, imported);
+  read_nodes(document, read_pose(document, pose, scene.animations), imported);
   if (scene.materials.empty()) scene.materials.push_back({});
-  if (document.skin_count != 0)
-    document.warnings.add(
-        "skinned meshes are shown in the pose in which they were bound; bones do not bend "
-        "them yet");
-  if (document.animation_count != 0)
-    document.warnings.add("animations are not played; the rest pose is shown");
   if (scene.meshes.empty())
     document.warnings.add("there is nothing to see: the file has no triangles");
   for (const Mesh& mesh : scene.meshes)

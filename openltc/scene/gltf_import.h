@@ -10,6 +10,7 @@
 #include "openltc/scene/emissive.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_uri.h"
+#include "openltc/scene/pose.h"
 #include "openltc/scene/scene.h"
 #include "openltc/scene/transform.h"
 
@@ -31,14 +32,14 @@ struct NodeLight {
 struct Imported {
   Scene scene;
   std::vector<NodeLight> extras_lights;
-  std::vector<Transform> to_world;        ///< of each node of the file
+  std::vector<Transform> to_world;        ///< of each node, in the file's coordinates
   std::vector<light::Lights> mesh_lights; ///< of the emissive surfaces of each of scene.meshes
 };
 
 /// Reads the bytes of a .glb or .gltf. Relative references are looked up in `folder`. Throws
 /// Failure.
 Imported import_gltf(std::span<const std::uint8_t> bytes, const Folder& folder,
-                     const EmissiveOptions& emissive);
+                     const EmissiveOptions& emissive, const PoseOptions& pose = {});
 
 /// Runs `load` and turns whatever it throws into an Error of one line that begins with `name`.
 template <class Load>

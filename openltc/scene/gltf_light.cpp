@@ -36,6 +36,24 @@ double member(const tinygltf::Value& object, const char* name, double otherwise)
   return object.Has(name) ? object.Get(name).GetNumberAsDouble() : otherwise;
 }
 
+// Half the width or height of an orthographic view.
+void check_mag(double metres, const std::string& field) {
+  if (!(std::abs(metres) >= 1e-12) || !(std::abs(metres) <= light::k_max_metres))
+    fail(field, fmt::format("{} is not between 1e-12 and {:g} m", metres, light::k_max_metres));
+}
+
+float near_plane(double metres, const std::string& field) {
+  if (!(metres <= light::k_max_metres))
+    fail(field,
+         fmt::format("{} is more than {:g} m: nothing would be seen", metres, light::k_max_metres));
+  return float(std::max(metres, 0.0));
+}
+
+// 0 = infinite, as is what no scene reaches.
+float far_plane(double metres) {
+  return metres <= 10 * light::k_max_metres ? float(std::max(metres, 0.0)) : 0.0f;
+}
+
 } // namespace
 
 light::PunctualLight read_punctual_light(Document& document, int index, const Transform& to_world,
@@ -48,7 +66,7 @@ light::PunctualLight read_punctual_light(Document& document, int index, const Tr
             : from.type == "directional" ? light::PunctualType::directional
                                          : light::PunctualType::point;
   const Placement placement = placement_of(to_world, field, document);
-  to.position = to_float(placement.position);
+  if (to.type != light::PunctualType::directional) to.position = to_float(placement.position);
   if (to.type != light::PunctualType::point) to.direction = to_float(-placement.back);
   const double intensity = not_negative(from.intensity, field + ".intensity", document);
   double color[3] = {1, 1, 1};
@@ -57,7 +75,9 @@ light::PunctualLight read_punctual_light(Document& document, int index, const Tr
   to.intensity = Vec3f(float(std::min(color[0] * intensity, 1e30)),
                        float(std::min(color[1] * intensity, 1e30)),
                        float(std::min(color[2] * intensity, 1e30)));
-  to.range = float(not_negative(from.range, field + ".range", document));
+  // Nothing is further away than this.
+  to.range = float(
+      std::min(not_negative(from.range, field + ".range", document), 1e2 * light::k_max_metres));
   if (to.type == light::PunctualType::spot) {
     double inner = from.spot.innerConeAngle, outer = from.spot.outerConeAngle;
     if (!(outer > 0) || outer > std::numbers::pi / 2 || inner < 0 || inner > outer) {
@@ -86,6 +106,8 @@ void read_area_light(Document& document, int index, const Transform& to_world,
       document.model->extensions.at("EXT_lights_area").Get("lights").Get(index);
   const double size = member(from, "size", 1);
   if (!(size > 0)) return leave_out("size", fmt::format("{} must be greater than 0", size));
+  if (size > light::k_max_metres)
+    return leave_out("size", fmt::format("{} is more than {:g} m", size, light::k_max_metres));
   const double intensity = member(from, "intensity", 1000);
   if (!(intensity >= 0))
     return leave_out("intensity", fmt::format("{} must not be negative", intensity));
@@ -141,12 +163,12 @@ Camera read_camera(Document& document, int index, const Transform& to_world,
   if (from.type == "orthographic") {
     const auto& ortho = from.orthographic;
     to.projection = Projection::orthographic;
-    if (ortho.xmag == 0 || ortho.ymag == 0)
-      fail(field + ".orthographic", "xmag and ymag must not be 0");
+    check_mag(ortho.xmag, field + ".orthographic.xmag");
+    check_mag(ortho.ymag, field + ".orthographic.ymag");
     to.height = float(2 * std::abs(ortho.ymag));
     to.aspect = float(std::abs(ortho.xmag / ortho.ymag));
-    to.near = float(std::max(ortho.znear, 0.0));
-    to.far = float(ortho.zfar);
+    to.near = near_plane(ortho.znear, field + ".orthographic.znear");
+    to.far = far_plane(ortho.zfar);
     if (!(ortho.zfar > ortho.znear))
       fail(field + ".orthographic.zfar", "must be greater than znear");
   } else {
@@ -154,10 +176,11 @@ Camera read_camera(Document& document, int index, const Transform& to_world,
     if (!(perspective.yfov > 0) || !(perspective.yfov < std::numbers::pi))
       fail(field + ".perspective.yfov",
            fmt::format("{} is not an angle between 0 and pi", perspective.yfov));
-    to.fov_y_rad = float(perspective.yfov);
+    // In single precision pi / 2 is more than a right angle, whose tangent is negative.
+    to.fov_y_rad = float(std::min(perspective.yfov, 3.1415));
     to.aspect = float(std::max(perspective.aspectRatio, 0.0));
-    to.near = float(std::max(perspective.znear, 0.0));
-    to.far = float(std::max(perspective.zfar, 0.0));
+    to.near = near_plane(perspective.znear, field + ".perspective.znear");
+    to.far = far_plane(perspective.zfar);
     if (to.far != 0 && to.far <= to.near)
       fail(field + ".perspective.zfar", "must be greater than znear");
   }

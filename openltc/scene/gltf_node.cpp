@@ -1,19 +1,24 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Scenes and nodes: glTF 2.0 specification, section 3.5.
+// Scenes and nodes: glTF 2.0 specification, section 3.5. A skinned mesh stands where its joints
+// are, whatever its node says: section 3.7.3.3.
 
 #include "openltc/scene/gltf_node.h"
 
+#include "openltc/scene/gltf_accessor.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_extras_light.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_instances.h"
+#include "openltc/scene/gltf_lamp.h"
 #include "openltc/scene/gltf_light.h"
 #include "openltc/scene/gltf_material.h"
 #include "openltc/scene/gltf_memory.h"
 #include "openltc/scene/gltf_primitive.h"
-#include "openltc/scene/light_surface.h"
+#include "openltc/scene/gltf_skin.h"
 #include "openltc/scene/normals.h"
+#include "openltc/scene/scene_origin.h"
 #include "openltc/scene/transform.h"
 
 #define TINYGLTF_NO_STB_IMAGE
@@ -26,6 +31,7 @@
 #include <cmath>
 #include <map>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace openltc::scene::gltf {
@@ -34,55 +40,43 @@ namespace {
 
 // Instances are copies, so that a small file can ask for any number of triangles.
 constexpr std::size_t k_max_triangles = std::size_t(1) << 28;
-constexpr std::size_t k_max_depth = 4096;
+bool is_in_range(Vec3d p) { // false for NaN
+  return std::abs(p.x) <= light::k_max_metres && std::abs(p.y) <= light::k_max_metres &&
+         std::abs(p.z) <= light::k_max_metres;
+}
 
-Transform local_transform(const tinygltf::Node& node, const std::string& field,
-                          Document& document) {
-  Transform t;
-  if (node.matrix.size() == 16) {
-    const auto& m = node.matrix; // column-major
-    for (std::size_t c = 0; c < 4; ++c)
-      t.column[c] = Vec3d(m[4 * c], m[4 * c + 1], m[4 * c + 2]);
-    const bool is_affine = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
-    if (!is_affine)
-      document.warnings.add(
-          fmt::format("{}.matrix: its last row is not (0, 0, 0, 1); it is ignored", field));
-    return t;
-  }
-  if (node.rotation.size() == 4) {
-    const double l =
-        std::sqrt(node.rotation[0] * node.rotation[0] + node.rotation[1] * node.rotation[1] +
-                  node.rotation[2] * node.rotation[2] + node.rotation[3] * node.rotation[3]);
-    if (l > 0 && std::isfinite(l)) {
-      const double x = node.rotation[0] / l, y = node.rotation[1] / l, z = node.rotation[2] / l,
-                   w = node.rotation[3] / l;
-      t.column[0] = Vec3d(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y));
-      t.column[1] = Vec3d(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));
-      t.column[2] = Vec3d(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
-    } else {
-      document.warnings.add(
-          fmt::format("{}.rotation: it has no length; the node is not rotated", field));
-    }
-  }
-  if (node.scale.size() == 3)
-    for (std::size_t c = 0; c < 3; ++c)
-      t.column[c] = t.column[c] * node.scale[c];
-  if (node.translation.size() == 3)
-    t.column[3] = Vec3d(node.translation[0], node.translation[1], node.translation[2]);
-  return t;
+// Around `positions`, which are not empty, when `to_world` has moved the box around them.
+std::pair<Vec3d, Vec3d> box_of(const std::vector<Vec3f>& positions, const Transform& to_world) {
+  Vec3d lower = to_double(positions[0]), upper = lower;
+  const auto extend = [](Vec3d& low, Vec3d& high, Vec3d p) {
+    low = Vec3d(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
+    high = Vec3d(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
+  };
+  for (const Vec3f p : positions)
+    extend(lower, upper, to_double(p));
+  const Vec3d center = to_world.point((lower + upper) * 0.5);
+  const Vec3d half = (upper - lower) * 0.5;
+  const auto reach = [&](double x, double y, double z) {
+    return std::abs(x) * half.x + std::abs(y) * half.y + std::abs(z) * half.z;
+  };
+  const auto* c = to_world.column;
+  const Vec3d moved(reach(c[0].x, c[1].x, c[2].x), reach(c[0].y, c[1].y, c[2].y),
+                    reach(c[0].z, c[1].z, c[2].z));
+  return {center - moved, center + moved};
 }
 
 // Moves `mesh` into the world; a mirroring transform turns the triangles' winding over.
-void apply_transform(Mesh& mesh, const Transform& to_world, const std::string& field) {
+void apply_transform(Mesh& mesh, const Transform& to_world) {
   const bool mirrors = to_world.determinant() < 0;
+  double largest = 0;
   for (Vec3f& p : mesh.positions) {
+    largest =
+        std::max({largest, std::abs(double(p.x)), std::abs(double(p.y)), std::abs(double(p.z))});
     p = to_float(to_world.point(to_double(p)));
-    // Beyond this, areas overflow single precision.
-    const bool is_usable = std::abs(p.x) < 1e18f && std::abs(p.y) < 1e18f && std::abs(p.z) < 1e18f;
-    if (!is_usable)
-      fail(field, "its transform takes the mesh outside the usable range of coordinates (1e18 "
-                  "metres); export the file again");
   }
+  const auto* column = to_world.column;
+  const double scale = std::max({length(column[0]), length(column[1]), length(column[2])});
+  mesh.rounding = float(largest * scale * std::exp2(-24));
   for (Vec3f& n : mesh.normals) {
     const Vec3d world = to_world.normal(to_double(n)) * (mirrors ? -1.0 : 1.0);
     const double l = length(world);
@@ -107,46 +101,29 @@ void apply_transform(Mesh& mesh, const Transform& to_world, const std::string& f
   }
 }
 
-class Walker {
+// Twice through the nodes: where the meshes are decides where the origin of single-precision
+// coordinates is, and only then is anything placed.
+class Placer {
 public:
-  Walker(Document& document, Imported& imported)
-      : document_(document), model_(*document.model), imported_(imported), scene_(imported.scene),
-        visited_(model_.nodes.size(), false), uses_(model_.meshes.size(), 0) {
-    imported_.to_world.resize(model_.nodes.size());
-    for (const auto& node : model_.nodes)
-      if (node.mesh >= 0) ++uses_[std::size_t(node.mesh)];
-  }
+  Placer(Document& document, std::span<const NodePose> pose, Imported& imported)
+      : document_(document), model_(*document.model), pose_(pose), imported_(imported),
+        scene_(imported.scene) {}
 
-  void walk() {
-    check_hierarchy();
+  void place() {
     if (!model_.scenes.empty())
       scene_.describes_lights =
           names_lights(model_.scenes[std::size_t(std::max(model_.defaultScene, 0))].extensions);
-    struct Pending {
-      int node;
-      std::size_t depth;
-      Transform parent;
-    };
-    std::vector<Pending> stack;
-    const std::vector<int> roots = root_nodes();
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root)
-      stack.push_back({*root, 0, {}});
-    while (!stack.empty()) {
-      const Pending next = stack.back();
-      stack.pop_back();
-      const tinygltf::Node& node = model_.nodes[std::size_t(next.node)];
-      const std::string field = fmt::format("nodes[{}]", next.node);
-      if (visited_[std::size_t(next.node)])
-        fail(field, "it is reached twice; a node may stand in one place only");
-      visited_[std::size_t(next.node)] = true;
-      if (next.depth > k_max_depth)
-        fail(field, fmt::format("nodes are nested deeper than {} levels; flatten the hierarchy",
-                                k_max_depth));
-      const Transform to_world = compose(next.parent, local_transform(node, field, document_));
-      imported_.to_world[std::size_t(next.node)] = to_world;
-      place(next.node, field, to_world);
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-        stack.push_back({*child, next.depth + 1, to_world});
+    Hierarchy hierarchy = read_hierarchy(document_, pose_);
+    imported_.to_world = std::move(hierarchy.to_world);
+    for (const int node : hierarchy.placed)
+      collect(node);
+    scene_.origin = (has_meshes_ ? of_meshes_ : of_others_).origin();
+    auto next = placements_.begin();
+    for (const int node : hierarchy.placed) {
+      const std::size_t first_mesh = scene_.meshes.size();
+      for (; next != placements_.end() && next->node == node; ++next)
+        place_mesh(*next);
+      place_others(node, first_mesh);
     }
     if (scene_.meshes.empty() && !first_without_area_.empty())
       fail(first_without_area_,
@@ -155,72 +132,209 @@ public:
   }
 
 private:
-  // Every node has at most one parent, and following parents ends.
-  void check_hierarchy() const {
-    std::vector<int> parent(model_.nodes.size(), -1);
-    for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
-      for (const int child : model_.nodes[i].children) {
-        int& known = parent[std::size_t(child)];
-        if (known >= 0)
-          fail(fmt::format("nodes[{}].children", i),
-               fmt::format(
-                   "nodes[{}] already is a child of nodes[{}]; a node has one parent, export "
-                   "the file again",
-                   child, known));
-        known = int(i);
-      }
+  // A mesh in its own space, for one or more places.
+  struct Local {
+    Mesh mesh;
+    std::size_t uses = 0;
+  };
+  struct MeshPlacement {
+    int node;
+    std::size_t local; // into locals_
+    Transform to_world;
+  };
+  using Key = std::tuple<std::size_t, std::size_t, std::vector<double>>; // mesh, primitive, weights
+
+  std::string label(int node) const {
+    return node_label(std::size_t(node), model_.nodes[std::size_t(node)].name);
+  }
+
+  Transform to_scene(Transform to_world) const {
+    to_world.column[3] = to_world.column[3] - scene_.origin;
+    return to_world;
+  }
+
+  // --- first pass ------------------------------------------------------------------------------
+
+  void collect(int index) {
+    const tinygltf::Node& node = model_.nodes[std::size_t(index)];
+    const Transform& to_world = imported_.to_world[std::size_t(index)];
+    if (node.mesh >= 0) collect_mesh(index, to_world);
+    const bool has_other =
+        node.camera >= 0 || !node.extensions.empty() || document_.extras[std::size_t(index)].light;
+    if (has_other && is_in_range(to_world.column[3]))
+      of_others_.add(to_world.column[3], to_world.column[3], 1);
+  }
+
+  void collect_mesh(int index, const Transform& to_world) {
+    const std::size_t node = std::size_t(index);
+    const std::size_t mesh = std::size_t(model_.nodes[node].mesh);
+    Deformation deformation;
+    deformation.weights = weights_of(node);
+    const int skin = document_.node_skins[node];
+    std::vector<Transform> joints;
+    Vec3d reference{0, 0, 0};
+    if (skin >= 0) joints = joints_of(std::size_t(skin), index);
+    if (!joints.empty()) {
+      // Near the vertices, which are in single precision until the origin is known.
+      reference = joints[0].point(first_position_of(mesh));
+      for (Transform& joint : joints)
+        joint.column[3] = joint.column[3] - reference;
+      deformation.joints = joints;
     }
-    std::vector<std::size_t> seen_from(model_.nodes.size(), 0);
-    for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
-      int node = int(i);
-      while (node >= 0 && seen_from[std::size_t(node)] == 0) {
-        seen_from[std::size_t(node)] = i + 1;
-        node = parent[std::size_t(node)];
+    const std::vector<Transform> instances = read_instances(document_, node);
+    if (instances.size() != 1 && !joints.empty())
+      document_.warnings.add(label(index) + ": a mesh with a skin has no instances; one is shown");
+    for (std::size_t p = 0; p < model_.meshes[mesh].primitives.size(); ++p) {
+      bool is_skinned = false;
+      const std::size_t local = local_mesh(mesh, p, deformation, is_skinned);
+      if (locals_[local].mesh.triangles.empty()) {
+        if (!locals_[local].mesh.positions.empty()) note_without_area(mesh, p);
+        continue;
       }
-      if (node >= 0 && seen_from[std::size_t(node)] == i + 1)
-        fail(fmt::format("nodes[{}].children", node),
-             "the node is its own descendant; break the cycle and export again");
+      if (is_skinned) {
+        add_placement({index, local, translation(reference)});
+        continue;
+      }
+      for (const Transform& instance : instances)
+        add_placement({index, local, compose(to_world, instance)});
     }
   }
 
-  std::vector<int> root_nodes() const {
-    if (model_.defaultScene >= 0) return model_.scenes[std::size_t(model_.defaultScene)].nodes;
-    if (!model_.scenes.empty()) return model_.scenes[0].nodes;
-    std::vector<bool> is_child(model_.nodes.size(), false);
-    for (const auto& node : model_.nodes)
-      for (const int child : node.children)
-        is_child[std::size_t(child)] = true;
-    std::vector<int> roots;
-    for (std::size_t i = 0; i < model_.nodes.size(); ++i)
-      if (!is_child[i]) roots.push_back(int(i));
-    return roots;
+  // Of the morph targets: the animation's, else the node's own, else the mesh's.
+  std::vector<double> weights_of(std::size_t node) const {
+    if (!pose_.empty() && pose_[node].weights) return *pose_[node].weights;
+    const tinygltf::Node& from = model_.nodes[node];
+    const std::vector<double>& weights =
+        from.weights.empty() ? model_.meshes[std::size_t(from.mesh)].weights : from.weights;
+    return weights;
   }
 
-  void place(int index, const std::string& field, const Transform& to_world) {
+  std::vector<Transform> joints_of(std::size_t skin, int node) {
+    try {
+      return joint_transforms(document_, skin, imported_.to_world);
+    } catch (const Failure& failure) {
+      document_.warnings.add(
+          fmt::format("{}; the mesh of {} is not bent", failure.message, label(node)));
+      return {};
+    }
+  }
+
+  // Any vertex of the mesh; the origin where there is none.
+  Vec3d first_position_of(std::size_t mesh) const {
+    for (const auto& primitive : model_.meshes[mesh].primitives) {
+      const auto position = primitive.attributes.find("POSITION");
+      const bool is_plain = position != primitive.attributes.end() &&
+                            primitive.extensions.count("KHR_draco_mesh_compression") == 0 &&
+                            model_.accessors[std::size_t(position->second)].count > 0;
+      if (!is_plain) continue;
+      const Floats first = read_floats(document_, position->second, 0, 1);
+      if (first.components == 3 && std::isfinite(first.values[0]) &&
+          std::isfinite(first.values[1]) && std::isfinite(first.values[2]))
+        return {double(first.values[0]), double(first.values[1]), double(first.values[2])};
+    }
+    return {0, 0, 0};
+  }
+
+  // Read once for all nodes that show it alike.
+  std::size_t local_mesh(std::size_t mesh, std::size_t primitive, const Deformation& deformation,
+                         bool& is_skinned) {
+    Key key(mesh, primitive, deformation.weights);
+    const bool is_shared = deformation.joints.empty();
+    if (is_shared)
+      if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    int material = model_.meshes[mesh].primitives[primitive].material;
+    if (material < 0) material = default_material();
+    Primitive read =
+        read_primitive(document_, mesh, primitive,
+                       vertex_needs(scene_.materials[std::size_t(material)]), deformation);
+    is_skinned = read.is_skinned;
+    read.mesh.material = material;
+    locals_.push_back({std::move(read.mesh)});
+    if (is_shared) known_.emplace(std::move(key), locals_.size() - 1);
+    return locals_.size() - 1;
+  }
+
+  void add_placement(MeshPlacement placement) {
+    Local& local = locals_[placement.local];
+    triangle_count_ += local.mesh.triangles.size();
+    if (triangle_count_ > k_max_triangles)
+      fail(fmt::format("nodes[{}]", placement.node),
+           fmt::format("the scene has more than {} million triangles; reduce it",
+                       k_max_triangles >> 20));
+    const auto [lower, upper] = box_of(local.mesh.positions, placement.to_world);
+    if (!is_in_range(lower) || !is_in_range(upper))
+      fail(label(placement.node),
+           fmt::format("its transform takes the mesh outside the usable range of coordinates, {:g} "
+                       "m to each side; move or scale it",
+                       light::k_max_metres));
+    take_memory(*document_.scene_memory, mesh_memory(local.mesh),
+                fmt::format("nodes[{}].mesh", placement.node));
+    ++local.uses;
+    has_meshes_ = true;
+    of_meshes_.add(lower, upper, double(local.mesh.triangles.size()));
+    placements_.push_back(std::move(placement));
+  }
+
+  // --- second pass -----------------------------------------------------------------------------
+
+  void place_mesh(const MeshPlacement& placement) {
+    Local& local = locals_[placement.local];
+    const tinygltf::Node& node = model_.nodes[std::size_t(placement.node)];
+    Mesh mesh;
+    if (--local.uses == 0)
+      mesh = std::move(local.mesh);
+    else
+      mesh = local.mesh;
+    if (!node.name.empty()) mesh.name = node.name;
+    mesh.node = placement.node;
+    mesh.emits_light = document_.extras[std::size_t(placement.node)].emits_light;
+    apply_transform(mesh, to_scene(placement.to_world));
+    if (mesh.triangles.empty()) {
+      document_.warnings.add_for_mesh(mesh.name,
+                                      "its node's scale leaves it no area; it is left out");
+      note_without_area(std::size_t(node.mesh), 0);
+      return;
+    }
+    scene_.meshes.push_back(std::move(mesh));
+  }
+
+  void check_place(int node, const char* what) const {
+    const Vec3d at = imported_.to_world[std::size_t(node)].column[3];
+    if (is_in_range(at)) return;
+    fail(label(node), fmt::format("its {} is at ({:g}, {:g}, {:g}), outside the usable range of "
+                                  "coordinates, {:g} m to each side; move it",
+                                  what, at.x, at.y, at.z, light::k_max_metres));
+  }
+
+  void place_others(int index, std::size_t first_mesh) {
     const tinygltf::Node& node = model_.nodes[std::size_t(index)];
     const NodeExtras& extras = document_.extras[std::size_t(index)];
-    const std::size_t first_mesh = scene_.meshes.size();
     scene_.describes_lights = scene_.describes_lights || extras.describes_light ||
                               names_lights(node.extensions) ||
                               document_.lost_lights.contains(index);
-    if (node.mesh >= 0) place_mesh(node, field, to_world);
-    for (std::size_t i = first_mesh; i < scene_.meshes.size(); ++i) {
-      scene_.meshes[i].node = index;
-      scene_.meshes[i].emits_light = extras.emits_light;
+    const Transform to_scene = this->to_scene(imported_.to_world[std::size_t(index)]);
+    if (node.camera >= 0) {
+      check_place(index, "camera");
+      scene_.cameras.push_back(read_camera(document_, node.camera, to_scene, node.name));
     }
-    if (node.camera >= 0)
-      scene_.cameras.push_back(read_camera(document_, node.camera, to_world, node.name));
     const auto punctual = node.extensions.find("KHR_lights_punctual");
-    if (punctual != node.extensions.end())
-      scene_.lights.punctual.push_back(read_punctual_light(
-          document_, punctual->second.Get("light").GetNumberAsInt(), to_world, node.name));
+    if (punctual != node.extensions.end()) {
+      const int light = punctual->second.Get("light").GetNumberAsInt();
+      // A sun has no place.
+      if (model_.lights[std::size_t(light)].type != "directional") check_place(index, "light");
+      scene_.lights.punctual.push_back(read_punctual_light(document_, light, to_scene, node.name));
+    }
     const auto area = node.extensions.find("EXT_lights_area");
-    if (area != node.extensions.end())
-      read_area_light(document_, area->second.Get("light").GetNumberAsInt(), to_world, node.name,
+    if (area != node.extensions.end()) {
+      check_place(index, "light");
+      read_area_light(document_, area->second.Get("light").GetNumberAsInt(), to_scene, node.name,
                       extras.surface_deviation, scene_.lights);
-    if (const IesNode* ies = document_.ies_lights.of_node(index))
-      read_ies_light(document_, *ies, to_world, node.name, scene_.lights);
-    if (extras.light) place_extras_light(index, *extras.light, to_world, first_mesh);
+    }
+    if (const IesNode* ies = document_.ies_lights.of_node(index)) {
+      check_place(index, "light");
+      read_ies_light(document_, *ies, to_scene, node.name, scene_.lights);
+    }
+    if (extras.light) place_extras_light(index, *extras.light, to_scene, first_mesh);
   }
 
   // KHR_lights_punctual, EXT_lights_image_based and so on, also one that is not known here.
@@ -232,7 +346,7 @@ private:
 
   // The light that the node's extras describe. The node's mesh, if there is one, shows it: its own
   // emission makes no lights, and shadow rays stop before it.
-  void place_extras_light(int index, const nlohmann::json& properties, const Transform& to_world,
+  void place_extras_light(int index, const nlohmann::json& properties, const Transform& to_scene,
                           std::size_t first_mesh) {
     const std::string& name = model_.nodes[std::size_t(index)].name;
     const std::string label = node_label(std::size_t(index), name);
@@ -240,7 +354,8 @@ private:
     found.node = index;
     std::swap(found.light.textures, scene_.lights.textures); // their indices go on
     try {
-      read_extras_light(properties, label, name.empty() ? label : name, to_world, document_,
+      check_place(index, "light");
+      read_extras_light(properties, label, name.empty() ? label : name, to_scene, document_,
                         found.light);
     } catch (const Failure& failure) {
       document_.warnings.add(failure.message + "; the light is left out");
@@ -248,107 +363,16 @@ private:
     std::swap(found.light.textures, scene_.lights.textures);
     if (found.light.empty()) return;
     if (first_mesh < scene_.meshes.size()) {
-      attach_mesh(label, found.light, std::span(scene_.meshes).subspan(first_mesh));
+      attach_mesh(label, std::span(scene_.meshes).subspan(first_mesh), scene_.materials,
+                  found.light, document_.warnings);
     }
     append_lights(found.light, scene_.lights);
     imported_.extras_lights.push_back(std::move(found));
   }
 
-  void attach_mesh(const std::string& label, light::Lights& light, std::span<Mesh> meshes) {
-    // Where some of the mesh's surfaces glow, those are the lamp, and the others its housing.
-    const auto glows = [&](const Mesh& mesh) {
-      const Vec3f e = scene_.materials[std::size_t(mesh.material)].emission;
-      return e.x > 0 || e.y > 0 || e.z > 0;
-    };
-    const bool any_glows = std::any_of(meshes.begin(), meshes.end(), glows);
-    for (Mesh& mesh : meshes)
-      mesh.emits_light = false;
-    if (!light.punctual.empty()) {
-      if (light.punctual[0].type != light::PunctualType::directional)
-        document_.warnings.add(label + ": the light has no extent, so that the node's mesh shadows "
-                                       "it; give it the type of the mesh's shape");
-      return;
-    }
-    light.for_each_area_light([&](const auto& area_light) {
-      double deviation = 0;
-      for (const Mesh& mesh : meshes) {
-        if (any_glows && !glows(mesh)) continue;
-        for (const Vec3f p : mesh.positions)
-          deviation = std::max(deviation, distance_outside(area_light, p));
-      }
-      if (deviation > reach_of(area_light)) {
-        document_.warnings.add(
-            fmt::format("{}: its mesh reaches {:.3g} m beyond the light, so that it is not taken "
-                        "for the light's surface and may shadow it",
-                        label, deviation));
-        deviation = 0;
-      }
-      set_surface_deviation(light, float(deviation));
-    });
-  }
-
-  static void set_surface_deviation(light::Lights& lights, float deviation) {
-    const auto set = [&](auto& list) {
-      for (auto& light : list)
-        light.surface_deviation = deviation;
-    };
-    set(lights.polygons);
-    set(lights.ellipses);
-    set(lights.spheres);
-    set(lights.tubes);
-    set(lights.lines);
-  }
-
-  void place_mesh(const tinygltf::Node& node, const std::string& field, const Transform& to_world) {
-    const std::size_t mesh_index = std::size_t(node.mesh);
-    const auto& primitives = model_.meshes[mesh_index].primitives;
-    for (std::size_t p = 0; p < primitives.size(); ++p) {
-      Mesh mesh = local_mesh(mesh_index, p);
-      if (mesh.triangles.empty()) {
-        if (!mesh.positions.empty()) note_without_area(mesh_index, p);
-        continue;
-      }
-      triangle_count_ += mesh.triangles.size();
-      if (triangle_count_ > k_max_triangles)
-        fail(field, fmt::format("the scene has more than {} million triangles; reduce it",
-                                k_max_triangles >> 20));
-      if (!node.name.empty()) mesh.name = node.name;
-      apply_transform(mesh, to_world, field);
-      if (mesh.triangles.empty()) {
-        document_.warnings.add_for_mesh(mesh.name,
-                                        "its node's scale leaves it no area; it is left out");
-        note_without_area(mesh_index, p);
-        continue;
-      }
-      scene_.meshes.push_back(std::move(mesh));
-    }
-  }
-
   void note_without_area(std::size_t mesh_index, std::size_t primitive) {
     if (first_without_area_.empty())
       first_without_area_ = fmt::format("meshes[{}].primitives[{}]", mesh_index, primitive);
-  }
-
-  static std::string primitive_field(const std::pair<std::size_t, std::size_t>& key) {
-    return fmt::format("meshes[{}].primitives[{}]", key.first, key.second);
-  }
-
-  // Read once, copied for every instance; kept only when there are several.
-  Mesh local_mesh(std::size_t mesh_index, std::size_t primitive) {
-    const auto key = std::make_pair(mesh_index, primitive);
-    const auto found = local_meshes_.find(key);
-    if (found != local_meshes_.end()) {
-      take_memory(*document_.scene_memory, mesh_memory(found->second), primitive_field(key));
-      return found->second;
-    }
-    int material = model_.meshes[mesh_index].primitives[primitive].material;
-    if (material < 0) material = default_material();
-    Mesh mesh = read_primitive(document_, mesh_index, primitive,
-                               vertex_needs(scene_.materials[std::size_t(material)]));
-    mesh.material = material;
-    take_memory(*document_.scene_memory, mesh_memory(mesh), primitive_field(key));
-    if (uses_[mesh_index] < 2) return mesh;
-    return local_meshes_.emplace(key, std::move(mesh)).first->second;
   }
 
   int default_material() {
@@ -362,11 +386,14 @@ private:
 
   Document& document_;
   const tinygltf::Model& model_;
+  std::span<const NodePose> pose_;
   Imported& imported_;
   Scene& scene_;
-  std::vector<bool> visited_;
-  std::vector<std::size_t> uses_; // of each mesh by nodes
-  std::map<std::pair<std::size_t, std::size_t>, Mesh> local_meshes_;
+  std::vector<Local> locals_;
+  std::map<Key, std::size_t> known_; // those of locals_ that no skin bends
+  std::vector<MeshPlacement> placements_;
+  OriginFinder of_meshes_, of_others_;
+  bool has_meshes_ = false;
   std::size_t triangle_count_ = 0;
   int default_material_ = -1;
   std::string first_without_area_;
@@ -382,6 +409,8 @@ std::uint64_t mesh_memory(const Mesh& mesh) {
          mesh.tex_coord_1.size() * sizeof(Vec2f) + mesh.colors.size() * sizeof(Vec4f);
 }
 
-void read_nodes(Document& document, Imported& imported) { Walker(document, imported).walk(); }
+void read_nodes(Document& document, std::span<const NodePose> pose, Imported& imported) {
+  Placer(document, pose, imported).place();
+}
 
 } // namespace openltc::scene::gltf

@@ -5,10 +5,12 @@
 
 #include "openltc/scene/gltf_primitive.h"
 
+#include "openltc/scene/deform.h"
 #include "openltc/scene/gltf_accessor.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_draco.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_morph.h"
 #include "openltc/scene/normals.h"
 #include "openltc/scene/tangents.h"
 
@@ -53,29 +55,32 @@ public:
     if (name_.empty()) name_ = fmt::format("meshes[{}]", mesh);
   }
 
-  Mesh read(const VertexNeeds& needs) {
-    Mesh mesh;
+  Primitive read(const VertexNeeds& needs, const Deformation& deformation) {
+    Primitive result;
+    Mesh& mesh = result.mesh;
     mesh.name = name_;
     const int mode = primitive_.mode;
     if (mode < TINYGLTF_MODE_TRIANGLES) {
       warn("points and lines are not drawn");
-      return mesh;
+      return result;
     }
-    if (!primitive_.targets.empty())
-      warn("morph targets are not applied; it is shown in its base shape");
     decode_draco_part();
     if (!has("POSITION")) {
       warn("without positions it is left out");
-      return mesh;
+      return result;
     }
     read_positions(mesh);
     read_triangles(mesh, mode);
     read_optional(mesh);
+    add_targets(document_, primitive_.targets, field_, deformation.weights, mesh);
+    keep_usable(mesh);
+    if (!deformation.joints.empty()) result.is_skinned = apply_skin(mesh, deformation.joints);
+    check_positions(mesh);
     const std::size_t dropped = drop_degenerate_triangles(mesh);
     // Strips repeat corners on purpose.
     if (dropped != 0 && mode == TINYGLTF_MODE_TRIANGLES)
       warn("triangles without area are left out");
-    if (mesh.triangles.empty()) return mesh;
+    if (mesh.triangles.empty()) return result;
 
     if (mesh.normals.empty()) {
       make_flat_normals(mesh);
@@ -87,7 +92,7 @@ public:
       mesh.tangents.clear();
     else if (mesh.tangents.empty() || !repair_tangents(mesh))
       compute_tangents(mesh, needs.tangent_tex_coord);
-    return mesh;
+    return result;
   }
 
 private:
@@ -228,9 +233,8 @@ private:
     bool is_broken = false;
     for (std::size_t i = 0; i < floats.count; ++i) {
       const Vec2f uv(floats.values[2 * i], floats.values[2 * i + 1]);
-      const bool is_usable = std::abs(uv.x) < 1e9f && std::abs(uv.y) < 1e9f; // false for NaN
-      is_broken = is_broken || !is_usable;
-      out[i] = is_usable ? uv : Vec2f(0, 0);
+      out[i] = usable(uv);
+      is_broken = is_broken || out[i].x != uv.x || out[i].y != uv.y; // true for NaN
     }
     if (is_broken) warn(name + " holds values that are not numbers; its textures may look wrong");
   }
@@ -263,12 +267,78 @@ private:
       check_components("COLOR_0", floats, 3, 4);
       check_length("COLOR_0", floats, mesh);
       mesh.colors.resize(floats.count);
-      const auto usable = [](float v) { return v >= 0 && v < 1e6f ? v : 0.0f; }; // 0 for NaN
       for (std::size_t i = 0; i < floats.count; ++i) {
         const float* v = floats.values.data() + floats.components * i;
         mesh.colors[i] = Vec4f(usable(v[0]), usable(v[1]), usable(v[2]),
                                floats.components == 4 ? usable(v[3]) : 1.0f);
       }
+    }
+  }
+
+  // --- deformation -----------------------------------------------------------------------------
+
+  static void keep_usable(Mesh& mesh) {
+    for (Vec2f& uv : mesh.tex_coord_0)
+      uv = usable(uv);
+    for (Vec2f& uv : mesh.tex_coord_1)
+      uv = usable(uv);
+    for (Vec4f& c : mesh.colors)
+      c = Vec4f(usable(c.x), usable(c.y), usable(c.z), usable(c.w));
+  }
+
+  static float usable(float color) {
+    return color >= 0 && color < 1e6f ? color : 0.0f;
+  } // 0 for NaN
+  static Vec2f usable(Vec2f uv) {
+    return std::abs(uv.x) < 1e9f && std::abs(uv.y) < 1e9f ? uv : Vec2f(0, 0);
+  }
+
+  // False where the primitive does not say which joints move it.
+  bool apply_skin(Mesh& mesh, std::span<const Transform> joints) {
+    Influences influences;
+    std::vector<Floats> sets; // joints, weights, joints, ...
+    for (int set = 0;; ++set) {
+      const std::string joint = fmt::format("JOINTS_{}", set);
+      const std::string weight = fmt::format("WEIGHTS_{}", set);
+      if (!has(joint) || !has(weight)) break;
+      for (const std::string& name : {joint, weight}) {
+        sets.push_back(read_attribute(name));
+        check_components(name, sets.back(), 4, 4);
+        check_length(name, sets.back(), mesh);
+      }
+    }
+    if (sets.empty()) {
+      warn("its node has a skin but it has no JOINTS_0 and WEIGHTS_0; it is not bent");
+      return false;
+    }
+    influences.per_vertex = 2 * sets.size();
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      for (std::size_t set = 0; set < sets.size(); set += 2) {
+        for (std::size_t c = 0; c < 4; ++c) {
+          const float joint = sets[set].values[4 * v + c];
+          const float weight = sets[set + 1].values[4 * v + c];
+          if (!(joint >= 0) || !(joint < float(joints.size())))
+            fail(attribute_field(fmt::format("JOINTS_{}", set / 2)),
+                 fmt::format("vertex {} follows joint {}, but the skin has only {}; the file is "
+                             "damaged, export it again",
+                             v, double(joint), joints.size()));
+          influences.joints.push_back(std::uint32_t(joint));
+          influences.weights.push_back(weight > 0 && std::isfinite(weight) ? weight : 0.0f);
+        }
+      }
+    }
+    bend(mesh, influences, joints);
+    return true;
+  }
+
+  void check_positions(const Mesh& mesh) const {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const Vec3f p = mesh.positions[i];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        fail(field_,
+             fmt::format("its morph targets or joints move vertex {} to ({}, {}, {}), which "
+                         "is not a place; export the file again",
+                         i, double(p.x), double(p.y), double(p.z)));
     }
   }
 
@@ -310,9 +380,9 @@ private:
 
 } // namespace
 
-Mesh read_primitive(Document& document, std::size_t mesh, std::size_t primitive,
-                    const VertexNeeds& needs) {
-  return Reader(document, mesh, primitive).read(needs);
+Primitive read_primitive(Document& document, std::size_t mesh, std::size_t primitive,
+                         const VertexNeeds& needs, const Deformation& deformation) {
+  return Reader(document, mesh, primitive).read(needs, deformation);
 }
 
 } // namespace openltc::scene::gltf

@@ -17,7 +17,8 @@ namespace openltc::scene::gltf {
 void check_schema(nlohmann::json& root);
 
 /// The same for one object of the file, which messages call `path`; `type` is one of the schema's
-/// own names, e.g. "light_area". Indices are looked up in `root`.
+/// own names, e.g. "light_area", "animation", "skin": what check_schema passes over, so that the
+/// file is not lost with it. Indices are looked up in `root`.
 void check_member(nlohmann::json& root, nlohmann::json& value, const std::string& path,
                   const char* type);
 

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include "openltc/scene/pose.h"
+
 namespace openltc::scene {
 
 struct ReadOptions {
@@ -12,6 +14,7 @@ struct ReadOptions {
   /// out. Off, because a scene of a stranger could otherwise have any file of this machine shown,
   /// or carried into what is made of it.
   bool allow_outside = false;
+  PoseOptions pose = {}; ///< at which moment
 };
 
 } // namespace openltc::scene

@@ -4,7 +4,9 @@
 // A scene ready to render: world-space triangles, materials, textures, cameras, lights.
 //
 // Everything is flattened: node transforms are applied, strips and fans are triangles, instances
-// are copies. World space is glTF's: right-handed, +Y up, metres.
+// are copies, skins and morph targets have bent the vertices. World space is glTF's: right-handed,
+// +Y up, metres; but it is moved, so that single precision suffices however far from the file's
+// origin a scene lies (Scene::origin).
 
 #pragma once
 
@@ -81,6 +83,8 @@ struct Mesh {
   std::vector<Vec2f> tex_coord_1;
   std::vector<Vec4f> colors; ///< linear
   int node = -1;             ///< of the glTF file that shows it
+  /// Metres by which each coordinate may be off because the file holds it in single precision.
+  float rounding = 0;
   /// Whether its emission makes lights; not where its node carries the light that stands for it.
   bool emits_light = true;
 };
@@ -104,13 +108,23 @@ struct Bounds {
   Vec3f lower{0, 0, 0}, upper{0, 0, 0};
 };
 
+/// An animation of the file, which can pose the scene.
+struct Animation {
+  std::string name;
+  double duration_seconds = 0; ///< the time of its last key
+};
+
 struct Scene {
+  /// What to add to a coordinate of this scene, in double, to have the file's: positions, lights,
+  /// cameras and bounds are all relative to it. Zero for scenes about the file's origin.
+  Vec3d origin{0, 0, 0};
   std::vector<Mesh> meshes;
   std::vector<Material> materials; ///< never empty: a default one stands last if any mesh needs it
   std::vector<Texture> textures;
   std::vector<Camera> cameras;
   light::Lights lights;
-  Bounds bounds; ///< of all positions
+  std::vector<Animation> animations; ///< of the file; those that cannot be read are missing
+  Bounds bounds;                     ///< of all positions
   /// Whether the file says expressly that there is light: a node that is shown carries one, also
   /// one that cannot be read, or a material has KHR_materials_emissive_strength. Plain emissive
   /// factors do not say it.

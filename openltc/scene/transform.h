@@ -7,6 +7,9 @@
 
 #include "openltc/target/vec.h"
 
+#include <array>
+#include <cmath>
+
 namespace openltc::scene {
 
 /// x_world = column[0] x + column[1] y + column[2] z + column[3].
@@ -32,6 +35,34 @@ inline Transform compose(const Transform& outer, const Transform& inner) {
     result.column[c] = outer.direction(inner.column[c]);
   result.column[3] = outer.point(inner.column[3]);
   return result;
+}
+
+inline Transform translation(Vec3d by) {
+  Transform result;
+  result.column[3] = by;
+  return result;
+}
+
+/// First the scale, then the rotation by the quaternion (x, y, z, w) of any length, then the
+/// translation. A quaternion without a length does not rotate, and `has_rotation` becomes false.
+inline Transform transform_of(Vec3d translated, const std::array<double, 4>& rotation, Vec3d scale,
+                              bool& has_rotation) {
+  Transform t;
+  double l = 0;
+  for (const double c : rotation)
+    l = std::hypot(l, c);
+  has_rotation = l > 0 && std::isfinite(l);
+  if (has_rotation) {
+    const double x = rotation[0] / l, y = rotation[1] / l, z = rotation[2] / l, w = rotation[3] / l;
+    t.column[0] = Vec3d(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y));
+    t.column[1] = Vec3d(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));
+    t.column[2] = Vec3d(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
+  }
+  t.column[0] = t.column[0] * scale.x;
+  t.column[1] = t.column[1] * scale.y;
+  t.column[2] = t.column[2] * scale.z;
+  t.column[3] = translated;
+  return t;
 }
 
 } // namespace openltc::scene

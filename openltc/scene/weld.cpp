@@ -31,10 +31,13 @@ Extent extent_of(const Mesh& mesh, double weld, double plane) {
   Extent extent;
   extent.center = (lower + upper) * 0.5;
   extent.diagonal = length(upper - lower);
-  // Single-precision coordinates are known to 6e-8 of their size, however small the mesh is.
+  // Single-precision coordinates are known to 6e-8 of their size, here and in the file; but the
+  // tolerances stay small against the mesh, or a small one far away would shrink to nothing.
+  // Vertices that are the same in the file are rounded alike and need no more to be joined.
   const double rounding = 2.5e-7 * magnitude;
-  extent.weld = weld * extent.diagonal + rounding;
-  extent.plane = plane * extent.diagonal + rounding;
+  extent.weld = weld * extent.diagonal + std::min(rounding, 1e-3 * extent.diagonal);
+  extent.plane = plane * extent.diagonal +
+                 std::min(std::max(rounding, 4 * double(mesh.rounding)), 1e-2 * extent.diagonal);
   return extent;
 }
 

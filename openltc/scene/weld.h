@@ -21,8 +21,8 @@ struct Extent {
   double plane = 0; ///< metres
 };
 
-/// `weld` and `plane` are relative to the diagonal of the bounding box; the rounding of coordinates
-/// far from the origin is added.
+/// `weld` and `plane` are relative to the diagonal of the bounding box; the rounding of
+/// coordinates, here and in the file, is added, as far as it is small against the diagonal.
 Extent extent_of(const Mesh& mesh, double weld, double plane);
 
 /// The mesh with equal vertices joined and relative to the centre, without triangles of no area.

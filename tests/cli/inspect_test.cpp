@@ -202,3 +202,40 @@ TEST_CASE("inspect_refuses_what_it_cannot_read") {
     CHECK(fails_naming(run_tool({"inspect", folder.file(name)}), folder.file(name)));
   CHECK(fails_naming(run_tool({"inspect", folder.file(".")}), "directory"));
 }
+
+TEST_CASE("inspect_speaks_of_the_files_own_coordinates_and_lists_animations") {
+  const TemporaryFolder folder;
+  GltfBuilder scene = lit_floor(100);
+  add_camera(scene, "front", 0.5);
+  const json roots = scene.root["scenes"][0]["nodes"];
+  const int top = scene.add("nodes", {{"children", roots}, {"translation", {5e5, 320.5, -6e6}}});
+  scene.root["scenes"][0]["nodes"] = json::array({top});
+  const std::vector<float> times = {0, 2.5};
+  const int input = scene.add_accessor(times, "SCALAR", k_float, 1);
+  const int output = scene.add_vec3({5e5, 320.5, -6e6, 5e5, 330.5, -6e6});
+  scene.root["animations"].push_back(
+      {{"name", "rise"},
+       {"samplers", json::array({{{"input", input}, {"output", output}}})},
+       {"channels",
+        json::array({{{"sampler", 0}, {"target", {{"node", top}, {"path", "translation"}}}}})}});
+  const std::string path = folder.file("far.gltf");
+  write_scene(path, scene);
+  const json values = inspect(path);
+  CHECK(double(values["bounds_m"]["upper"][1]) == doctest::Approx(321.5).epsilon(1e-9));
+  CHECK(double(values["bounds_m"]["lower"][0]) == doctest::Approx(5e5 - 2).epsilon(1e-12));
+  CHECK(double(values["cameras"][0]["position_m"][2]) == doctest::Approx(-6e6 + 4).epsilon(1e-12));
+  REQUIRE(values["animations"].size() == 1);
+  CHECK(values["animations"][0]["name"] == "rise");
+  CHECK(values["animations"][0]["duration_seconds"] == 2.5);
+  const Run text = run_tool({"inspect", path});
+  CHECK(contains(text.out, "499998.000"));
+  CHECK(contains(text.out, "animation  0 \"rise\": 2.5 s"));
+
+  const Run posed = run_tool({"inspect", path, "--json", "--time", "1.25"});
+  REQUIRE(posed.exit_code == 0);
+  CHECK(double(json::parse(posed.out)["bounds_m"]["upper"][1]) ==
+        doctest::Approx(326.5).epsilon(1e-9));
+  CHECK(fails_naming(run_tool({"inspect", path, "--animation", "fall"}), "\"rise\""));
+  CHECK(refuses_usage(run_tool({"inspect", path, "--time", "soon"}), "--time"));
+  CHECK(refuses_usage(run_tool({"inspect", path, "--time", "nan"}), "--time"));
+}

@@ -157,3 +157,29 @@ TEST_CASE("point_lights_by_the_exact_brdf_or_by_the_lobe_differ_a_little") {
   CHECK(exact_mean > 0);
   CHECK(studio.mean() == doctest::Approx(exact_mean).epsilon(0.2));
 }
+
+TEST_CASE("a_time_shows_what_an_animation_has_moved_by_then") {
+  const Studio studio;
+  GltfBuilder scene = lit_floor(100);
+  add_camera(scene, "front", 0.5);
+  // Everything but the camera sinks out of sight within a second.
+  const json roots = scene.root["scenes"][0]["nodes"];
+  const json seen = json::array({roots[0], roots[1]});
+  const int top = scene.add("nodes", {{"children", seen}});
+  scene.root["scenes"][0]["nodes"] = json::array({top, roots[2]});
+  const std::vector<float> times = {0, 1};
+  const int input = scene.add_accessor(times, "SCALAR", k_float, 1);
+  const int output = scene.add_vec3({0, 0, 0, 0, -1000, 0});
+  scene.root["animations"].push_back(
+      {{"name", "sink"},
+       {"samplers", json::array({{{"input", input}, {"output", output}}})},
+       {"channels",
+        json::array({{{"sampler", 0}, {"target", {{"node", top}, {"path", "translation"}}}}})}});
+  write_scene(studio.scene, scene);
+  const auto at_rest = studio.bytes({});
+  CHECK(studio.mean() > 0);
+  CHECK(studio.bytes({"--time", "0"}) == at_rest);
+  CHECK(studio.bytes({"--animation", "sink"}) == at_rest);
+  studio.bytes({"--time", "5"});
+  CHECK(studio.mean() == 0);
+}

@@ -148,8 +148,10 @@ TEST_CASE("emissive_rectangles_and_disks_become_area_lights_wherever_their_nodes
   const json nodes[] = {
       json::object(),
       {{"translation", {5, 6, 7}}, {"rotation", k_turned}, {"scale", {3, 3, 3}}},
-      {{"scale", {2, 1, 1}}, {"translation", {1, 0, 0}}}, // uneven
-      {{"scale", {-1, 1, 1}}},                            // mirrored
+      {{"scale", {2, 1, 1}}, {"translation", {1, 0, 0}}},                              // uneven
+      {{"scale", {-1, 1, 1}}},                                                         // mirrored
+      {{"translation", {5e5, -6e6, 7}}, {"rotation", k_turned}, {"scale", {3, 3, 3}}}, // far away
+      {{"scale", {2, 1, 1}}, {"translation", {6e6, 0, -5e5}}},
   };
   for (const json& node : nodes) {
     CAPTURE(node.dump());
@@ -172,6 +174,7 @@ TEST_CASE("emissive_rectangles_and_disks_become_area_lights_wherever_their_nodes
     CHECK(trip.before.lights.area_light_count() == (is_round ? 2u : 1u));
     CHECK(trip.report.written == trip.before.lights.area_light_count());
     CHECK(trip.report.left.empty());
+    CHECK(length(trip.before.origin - trip.after.origin) == 0);
     check_same_lights(trip.before.lights, trip.after.lights);
     const json& from = trip.written["nodes"][0];
     CHECK(from["extras"]["note"] == "kept");

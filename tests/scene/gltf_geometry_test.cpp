@@ -391,18 +391,4 @@ TEST_CASE("meshes_without_a_normal_map_carry_no_tangents") {
   CHECK(file.load()->meshes[0].tangents.empty());
 }
 
-TEST_CASE("what_moves_is_shown_at_rest_with_a_warning") {
-  GltfBuilder file;
-  json primitive = file.square_primitive();
-  primitive["targets"] = json::array({{{"POSITION", primitive["attributes"]["POSITION"]}}});
-  file.add_mesh_node(primitive, {{"skin", 0}});
-  file.root["skins"] = json::array({{{"joints", {0}}}});
-  file.root["animations"] = json::array({json::object()});
-  const auto loaded = file.load();
-  REQUIRE(loaded.ok());
-  CHECK(warns_about(*loaded, "morph targets"));
-  CHECK(warns_about(*loaded, "pose"));
-  CHECK(warns_about(*loaded, "animations are not played"));
-}
-
 } // namespace
