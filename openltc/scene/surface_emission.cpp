@@ -29,11 +29,8 @@ std::int64_t wrapped(std::int64_t i, std::int64_t size, Wrap mode) {
 }
 
 Vec4f texel_of(const Texture& texture, std::int64_t x, std::int64_t y) {
-  const image::Image& image = texture.image;
-  const float* p = image.pixel(int(wrapped(x, image.width, texture.wrap_u)),
-                               int(wrapped(y, image.height, texture.wrap_v)));
-  if (image.channels < 3) return {p[0], p[0], p[0], image.channels == 2 ? p[1] : 1.0f};
-  return {p[0], p[1], p[2], image.channels >= 4 ? p[3] : 1.0f};
+  return texture.image.rgba(int(wrapped(x, texture.image.width, texture.wrap_u)),
+                            int(wrapped(y, texture.image.height, texture.wrap_v)));
 }
 
 // The texture where its sampler looks at it closely. Black and clear where there is no place.

@@ -27,13 +27,14 @@ scene::Scene panel(scene::AlphaMode mode, float factor, float outside) {
   scene::Texture texture;
   texture.wrap_u = texture.wrap_v = scene::Wrap::clamp_to_edge;
   texture.nearest = true;
-  texture.image = image::Image(64, 64, 4);
+  image::Image picture(64, 64, 4);
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
-      float* p = texture.image.pixel(x, y);
+      float* p = picture.pixel(x, y);
       p[0] = p[1] = p[2] = 1;
       p[3] = x >= 32 && y >= 32 ? 1.0f : outside;
     }
+  texture.image = picture;
   scene.textures.push_back(texture);
   scene::Material glow = test::diffuse_material(Vec3f(0.5f));
   glow.emission = Vec3f(float(k_nits));

@@ -50,13 +50,14 @@ scene::Texture alpha_texture(int width, int height, bool nearest, const Alpha& a
   scene::Texture texture;
   texture.nearest = nearest;
   texture.wrap_u = texture.wrap_v = scene::Wrap::clamp_to_edge;
-  texture.image = image::Image(width, height, 4);
+  image::Image picture(width, height, 4);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      float* p = texture.image.pixel(x, y);
+      float* p = picture.pixel(x, y);
       p[0] = p[1] = p[2] = 1;
       p[3] = alpha(x, y);
     }
+  texture.image = picture;
   return texture;
 }
 
@@ -119,7 +120,7 @@ TEST_CASE("a_masked_texture_leaves_its_open_texels") {
       const double u = double(dot(d, light.texture_u) / dot(light.texture_u, light.texture_u));
       const double v = double(dot(d, light.texture_v) / dot(light.texture_v, light.texture_v));
       const float value = picture.rgb(int(u * picture.width), int(v * picture.height)).x;
-      CHECK(value == (texture.image.pixel(x, y)[3] >= 0.5f ? 1.0f : 0.0f));
+      CHECK(value == (texture.image.rgba(x, y).w >= 0.5f ? 1.0f : 0.0f));
     }
   // The cutoff counts, and the factor before it.
   material.base_color.w = 0.8f; // .48 and .32
@@ -151,10 +152,12 @@ TEST_CASE("blended_alpha_and_emission_of_maps_of_their_own_multiply") {
   const scene::Texture alpha =
       alpha_texture(256, 4, false, [](int x, int) { return (float(x) + 0.5f) / 256; });
   scene::Texture glow = alpha_texture(256, 256, false, [](int, int) { return 1.0f; });
+  image::Image ramp = glow.image.to_image();
   for (int y = 0; y < 256; ++y)
     for (int x = 0; x < 256; ++x)
       for (int c = 0; c < 3; ++c)
-        glow.image.pixel(x, y)[c] = (float(y) + 0.5f) / 256;
+        ramp.pixel(x, y)[c] = (float(y) + 0.5f) / 256;
+  glow.image = ramp;
   scene::Mesh mesh = upright();
   mesh.tex_coord_1.clear();
   for (const Vec3f p : mesh.positions)
@@ -214,15 +217,16 @@ TEST_CASE("curved_emitters_shine_with_what_alpha_leaves_of_each_facet") {
 
 TEST_CASE("two_lit_texels_of_many_make_a_light") {
   scene::Texture texture = alpha_texture(512, 512, false, [](int, int) { return 1.0f; });
-  std::fill(texture.image.data.begin(), texture.image.data.end(), 0.0f);
+  image::Image dots(512, 512, 4);
   for (int c = 0; c < 3; ++c)
-    texture.image.pixel(100, 57)[c] = texture.image.pixel(400, 391)[c] = 1.0f;
+    dots.pixel(100, 57)[c] = dots.pixel(400, 391)[c] = 1.0f;
+  texture.image = dots;
   scene::Material material = glowing(scene::AlphaMode::opaque);
   material.emission_texture.texture = 0;
   const auto found = scene::emissive_lights(upright(), material, {texture});
   REQUIRE(found.lights.polygons.size() == 1);
   CHECK(found.lights.polygons[0].texture == 0);
-  CHECK(light::mean_of_picture(found.lights.polygons[0], {texture.image}).x ==
+  CHECK(light::mean_of_picture(found.lights.polygons[0], {dots}).x ==
         doctest::Approx(2.0 / (512 * 512)).epsilon(1e-4));
 }
 

@@ -190,10 +190,11 @@ TEST_CASE("facets_of_unlike_emission_are_not_joined") {
       mesh.tex_coord_0.push_back(Vec2f(float(i) / 128, 0.5f));
   scene::Texture texture;
   texture.nearest = true;
-  texture.image = image::Image(128, 1, 4);
+  image::Image picture(128, 1, 4);
   for (int x = 0; x < 128; ++x)
     for (int c = 0; c < 4; ++c)
-      texture.image.pixel(x, 0)[c] = x < 64 ? (c == 0 ? 0.2f : 0.01f) : 1.0f;
+      picture.pixel(x, 0)[c] = x < 64 ? (c == 0 ? 0.2f : 0.01f) : 1.0f;
+  texture.image = picture;
   scene::Material material = glowing(10);
   material.emission_texture.texture = 0;
   const auto found = scene::emissive_lights(mesh, material, {texture});
