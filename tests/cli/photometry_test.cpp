@@ -73,7 +73,7 @@ TEST_CASE("a_pipe_as_photometric_file_is_refused_at_once") {
        {std::vector<std::string>{"inspect", pipe},
         {"convert", pipe, folder.file("x.ies")},
         {"plot", "photometry", pipe, "-o", folder.file("x.svg")}})
-    CHECK(fails_naming(run_tool(command), "no regular file"));
+    CHECK(fails_naming(run_tool(command), "only regular files are read"));
 }
 
 TEST_CASE("convert_writes_lm_63_and_plot_draws_the_diagram") {

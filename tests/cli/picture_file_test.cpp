@@ -134,7 +134,7 @@ TEST_CASE("convert_takes_the_layer_that_is_named") {
   CHECK(image::read(out)->rgb(1, 0).x == 0.0f); // outside the data window
   CHECK(convert_fails({exr + ":Normal", out}, "is a vector"));
   CHECK(convert_fails({exr + ":Mist", out}, "no layer 'Mist'"));
-  CHECK(convert_fails({exr, exr}, "is the input"));
+  CHECK(convert_fails({exr, exr}, "is also an input"));
   CHECK(convert_fails({exr, folder.file("no/out.exr")}, "does not exist"));
   REQUIRE(image::write_hdr(folder.file("a.hdr"), gradient()).ok());
   CHECK(convert_fails({folder.file("a.hdr"), out, "--layer", "x"}, "has no layers"));

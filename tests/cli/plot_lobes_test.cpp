@@ -85,7 +85,7 @@ TEST_CASE("plot_lobes_and_polygon_name_what_is_wrong_and_draw_nothing") {
       {{"lobes", "--theta", "30"}, "--brdf"},
       {{"lobes", "--brdf", ""}, "--brdf"},
       {{"lobes", "--matrix", ""}, "--matrix"},
-      {{"polygon", "--points", ""}, "three corners"},
+      {{"polygon", "--points", ""}, "--points"},
       {{"polygon", "--points", "1,0,1 0,1,1"}, "three corners"},
       {{"polygon", "--points", "1,0,1 0,1,1 0,0"}, "'0,0' is not a corner"},
       {{"polygon", "--points", "1,0,1 0,1,1 nan,0,1"}, "corner 3 is not finite"},

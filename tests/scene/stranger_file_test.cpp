@@ -223,7 +223,7 @@ TEST_CASE("instances_count_before_they_are_made") {
   };
   CHECK(with_nodes(20).ok());
   const auto refused = with_nodes(50);
-  CHECK(fails_naming(refused, "meshes[0].primitives[0]: asks for"));
+  CHECK(fails_naming(refused, ".mesh: asks for"));
   CHECK(fails_naming(refused, "--memory"));
 }
 

@@ -6,7 +6,7 @@
 
 An option belongs to the nearest "openltc COMMAND" before it in the same text; without one, to the
 commands that the source file serves. Libraries serve any command, so there "openltc COMMAND" must
-stand before the option; only the figures' library serves one command, plot.
+stand before the option; of some it is known which commands reach them.
 """
 
 import os
@@ -24,6 +24,14 @@ k_served = {
 k_option = re.compile(r"(?<![\w-])--[a-z][a-z-]*[a-z]")
 k_named = re.compile(r"(?<![\w-])openltc (%s)\b" % "|".join(k_commands))
 k_token = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|#[^\n]*', re.S)
+
+
+# Libraries that not all commands reach, and what these have in common.
+k_library_serves = {
+    "openltc/scene": ["render", "compare", "convert", "inspect"],
+    "openltc/base/memory_budget.cpp": ["render", "compare", "convert", "inspect"],
+    "openltc/plot": ["plot"],
+}
 
 
 def help_of(tool, *command):
@@ -85,7 +93,7 @@ def served_by(path):
         if stem in k_served:
             return k_served[stem]
         return [c for c in k_commands if stem == c or stem.startswith(c + "_")]
-    return ["plot"] if folder == "openltc/plot" else []
+    return k_library_serves.get(folder) or k_library_serves.get(path) or []
 
 
 def sources():
