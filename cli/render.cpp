@@ -397,10 +397,10 @@ void add_render(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--light-error", a.light_error,
-                   "Scenes of many area lights: how far a surface's light, before shadows, may be "
-                   "from that of all lights one by one, as a fraction of the view's light level "
-                   "(the median of what surfaces in view reflect, without shadows). Within it, "
-                   "lights are left out or taken in groups; 0 shades all")
+                   "Scenes of many area lights: how far a surface's light may be from that of all "
+                   "lights one by one, as a fraction of what surfaces there reflect, shadows "
+                   "included, and at most of the view's median. Within it, lights are left out or "
+                   "taken in groups; 0 shades all")
       ->check(number(0, 1))
       ->type_name("FRACTION")
       ->capture_default_str();

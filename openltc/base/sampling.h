@@ -79,4 +79,25 @@ static inline Sample2 owen_sobol(std::uint32_t index, std::uint32_t seed) {
           fraction(nested_uniform_scramble(sobol_dimension_1(shuffled), hash_combine(seed, 2)))};
 }
 
+/// Bits of the numbers below n, n at least 1.
+static inline int bits_below(std::uint32_t n) { return n > 1 ? 32 - __builtin_clz(n - 1) : 0; }
+
+/// Pixels of a block share one sequence, see z_order.
+inline constexpr int k_block_bits = 7; // 128 pixels on a side
+
+/// Place of a pixel within its block along a curve that fills each square of 2, 4, 8 ... pixels on
+/// a side before it goes on to the next. When the pixels of a block take consecutive samples of one
+/// sequence in this order, not only each pixel's samples are well distributed but those of each
+/// such square together, so that neighbours err in opposite directions: the error is blue noise
+/// over the screen, which the eye averages. Source: Ahmed, Wonka 2020, "Screen-Space Blue-Noise
+/// Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels". The random order
+/// of a square's quarters comes with the shuffle of owen_sobol, which is a nested scramble of the
+/// index.
+static inline std::uint32_t z_order(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t place = 0;
+  for (int bit = 0; bit < k_block_bits; ++bit)
+    place |= ((x >> bit) & 1u) << (2 * bit) | ((y >> bit) & 1u) << (2 * bit + 1);
+  return place;
+}
+
 } // namespace openltc

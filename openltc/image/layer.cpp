@@ -226,7 +226,9 @@ Result<LayerInfo> choose_layer(const std::vector<LayerInfo>& layers, const std::
     if (found.empty()) found = only([](const LayerInfo& l) { return is_color(l.kind); });
     if (found.empty()) found = only([](const LayerInfo& l) { return is_picture(l.kind); });
     if (found.size() > 1)
-      return refuse("holds several pictures; name one as FILE:NAME, or by openltc compare --layer NAME:", found);
+      return refuse(
+          "holds several pictures; name one as FILE:NAME, or by openltc compare --layer NAME:",
+          found);
     if (found.empty() && layers.size() == 1 && layers[0].kind == LayerKind::not_flat)
       return Error{fmt::format("{}: holds deep data (several values a pixel), which is not read; "
                                "save it flattened",

@@ -19,7 +19,7 @@ struct PointTarget {
   std::uint32_t sample = 0; ///< entry of the caller's camera samples
   std::uint32_t pixel = 0;  ///< of the tile
   std::uint32_t pixel_seed = 0;
-  std::uint32_t sample_index = 0; ///< of the camera sample within the pixel
+  std::uint32_t sample_index = 0; ///< of the camera sample, in the sequence of its seed
   float weight = 1;               ///< share in the camera sample
 };
 

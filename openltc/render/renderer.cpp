@@ -44,6 +44,7 @@ constexpr int k_min_lights_to_choose = 6;
 // From so many lights on the reference draws some for each sample instead of taking all.
 constexpr int k_min_lights_to_draw = 128;
 constexpr int k_drawn_lights = 96;
+constexpr int k_most_tries = 8; // random numbers of any other purpose for one point
 // Whose sums a slot holds, when no single light's: groups that reach the points, and those that do
 // not.
 constexpr std::int32_t k_far_lights = -1, k_hidden_lights = -2;
@@ -64,6 +65,7 @@ struct Job {
   KernelContext context;
   const LightTree* tree; ///< null: all lights shade all points
   LightErrorScale error_scale;
+  bool diffuse_error; ///< whether neighbours share a sequence, see z_order
 };
 
 /// What shading took, over all tiles.
@@ -210,21 +212,32 @@ private:
     return total;
   }
 
-  std::uint32_t pixel_seed(int x, int y) const {
-    return hash_combine(hash_combine(std::uint32_t(x), std::uint32_t(y)), job_.options.seed);
+  // Where the samples of a pixel are from: sample i is index + i of the sequence of the seed.
+  struct PixelSequence {
+    std::uint32_t seed, index;
+  };
+  PixelSequence pixel_sequence(int x, int y) const {
+    if (!job_.diffuse_error)
+      return {hash_combine(hash_combine(std::uint32_t(x), std::uint32_t(y)), job_.options.seed), 0};
+    const std::uint32_t block_x = std::uint32_t(x) >> k_block_bits,
+                        block_y = std::uint32_t(y) >> k_block_bits;
+    return {hash_combine(hash_combine(block_x, block_y), job_.options.seed),
+            z_order(std::uint32_t(x), std::uint32_t(y))
+                << bits_below(std::uint32_t(job_.options.samples))};
   }
 
   // One camera sample of each pixel in a row; entry `target` + pixel of samples_ receives it.
   void trace_row(int row, int sample, int target) {
     RayPacket packet{};
     float throughput[k_tile];
-    std::uint32_t seed[k_tile];
+    PixelSequence sequence[k_tile];
     for (int i = 0; i < k_tile; ++i) {
       const int x = x0_ + std::min(i, width_ - 1), y = y0_ + row;
-      seed[i] = pixel_seed(x, y);
+      sequence[i] = pixel_sequence(x, y);
       float dx = 0, dy = 0;
       if (job_.options.samples > 1 && job_.options.filter != PixelFilter::none) {
-        const Sample2 u = owen_sobol(std::uint32_t(sample), hash_combine(seed[i], k_purpose_pixel));
+        const Sample2 u = owen_sobol(sequence[i].index + std::uint32_t(sample),
+                                     hash_combine(sequence[i].seed, k_purpose_pixel));
         dx = filter_offset(u.u);
         dy = filter_offset(u.v);
       }
@@ -263,8 +276,8 @@ private:
         const float weight = throughput[i] * point.alpha;
         radiance += point.emission * weight;
         if (point.lit && weight > 0) {
-          points_.add(point, {std::uint32_t(base + i), std::uint32_t(row * k_tile + i), seed[i],
-                              std::uint32_t(sample), weight});
+          points_.add(point, {std::uint32_t(base + i), std::uint32_t(row * k_tile + i),
+                              sequence[i].seed, sequence[i].index + std::uint32_t(sample), weight});
           if (points_.full()) shade_points();
         }
         throughput[i] *= 1 - point.alpha;
@@ -324,7 +337,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 
-  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, {}};
+  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, {}, false};
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
@@ -347,6 +360,14 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
     };
     context.tracer = rays->get();
   }
+
+  // The reference's pixels stay independent of each other. So do those whose samples are too many
+  // for an index of 32 bits, where noise is no question any more.
+  const int most_samples =
+      std::max({k_far_light_samples * context.light_samples, context.brdf_samples, k_most_tries});
+  job.diffuse_error = !reference && 2 * k_block_bits + bits_below(std::uint32_t(options.samples)) +
+                                            bits_below(std::uint32_t(most_samples)) <=
+                                        32;
 
   LightTree tree;
   const int count = context.area_light_count;

@@ -32,10 +32,11 @@ struct RenderOptions {
   /// at least one each; 0 = no shadows at all. Reference: only whether it is 0.
   int shadow_samples = 16;
   PixelFilter filter = PixelFilter::blackman_harris; ///< with more than one sample per pixel
-  /// LTC, scenes of many area lights: how far the light of a surface point, in the closed form
-  /// without shadow and in any channel, may be from that of all lights shaded one by one, as a
-  /// fraction of the light level of the view (see light_level.h). So much may be left out or taken
-  /// from lights in groups. 0 = every light shades every point.
+  /// LTC, scenes of many area lights: how far the light of a surface point, in any channel, may be
+  /// from that of all lights shaded one by one, as a fraction of what points like it reflect,
+  /// shadows included, and never more than that of the view's level (see light_chooser.h,
+  /// light_level.h). So much may be left out or taken from lights in groups. 0 = every light shades
+  /// every point.
   float light_error = 0.003f;
   PunctualForm punctual_form = PunctualForm::exact;
   Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
@@ -61,9 +62,9 @@ struct Picture {
   /// samples; these are stratified, so it is an upper estimate. Means nothing for one sample, and
   /// for the LTC integrator, whose shadow ratio is no mean.
   image::Image standard_error;
-  /// LTC: the bound in nits that light_error set; 0 where every light shaded every point. Without
-  /// shadows no pixel is further from such a picture, but for rounding; with them its light before
-  /// shadow is not.
+  /// LTC: the largest error in nits that light_error allowed anywhere; 0 where every light shaded
+  /// every point. Where shadow ratios are 1 or 0 no pixel is further from such a picture, but for
+  /// rounding; elsewhere there is the noise of shadows that are sampled together.
   double light_error_nits = 0;
   /// What shaded a surface point, on average: area lights one by one, and groups of far ones.
   double lights_per_point = 0, far_groups_per_point = 0;

@@ -84,7 +84,7 @@ struct ShadingBatch {
   const float* weight = nullptr;        ///< share of the point in its camera sample
   const std::uint32_t* pixel = nullptr; ///< below pixel_count
   const std::uint32_t* seed = nullptr;  ///< of the pixel
-  const std::uint32_t* index = nullptr; ///< of the camera sample within the pixel
+  const std::uint32_t* index = nullptr; ///< of the camera sample, in the seed's sequence
   float* out[3] = {};                   ///< radiance, nits, without weight
   /// With the LTC integrator and shadows, area lights do not go to `out`: their weighted sums,
   /// for radiance 1, are added here, [slot][RatioSum][pixel]. Else unused.
@@ -162,7 +162,7 @@ struct PunctualLightView {
   bool spot = false; ///< has a cone
   float cos_inner = 1, cos_outer = -1;
   bool directional = false;
-  ProfileView profile;          ///< no values: the same in every direction
+  ProfileView profile; ///< no values: the same in every direction
   /// The profile's own axes, world space: see light::ProfileAxes.
   float profile_x[3] = {0, 1, 0}, profile_y[3] = {-1, 0, 0}, profile_z[3] = {0, 0, -1};
 };

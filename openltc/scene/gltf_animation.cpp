@@ -53,14 +53,15 @@ public:
     }
     if (options_.is_rest()) {
       if (!animations.empty())
-        document_.warnings.add(
-            fmt::format("animations are not played; the rest pose is shown; openltc render --time SECONDS shows "
-                        "another: {}",
-                        listed(animations)));
+        document_.warnings.add(fmt::format("animations are not played; the rest pose is shown; "
+                                           "openltc render --time SECONDS shows "
+                                           "another: {}",
+                                           listed(animations)));
       return {};
     }
     if (animations.empty() && options_.animation.empty()) {
-      document_.warnings.add("no time or animation can be chosen: the file has no animations; the rest pose is shown");
+      document_.warnings.add(
+          "no time or animation can be chosen: the file has no animations; the rest pose is shown");
       return {};
     }
     return pose(*readable_[choose(animations)]);

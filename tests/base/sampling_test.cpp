@@ -179,3 +179,45 @@ TEST_CASE("fraction_stays_below_one") {
   CHECK(fraction(0) == 0.0f);
   CHECK(fraction(0x80000000u) == 0.5f);
 }
+
+TEST_CASE("squares_of_pixels_share_well_distributed_samples") {
+  // Consecutive samples in the order of the curve: those of any aligned square of 2, 4 or 8 pixels
+  // on a side are a (0, m, 2)-net, one in every elementary rectangle of their number, for one
+  // sample a pixel and for four (Niederreiter 1992, definition 4.1).
+  for (const int samples_log2 : {0, 2})
+    for (const int side_log2 : {1, 2, 3}) {
+      const int side = 1 << side_log2, samples = 1 << samples_log2;
+      const int count_log2 = 2 * side_log2 + samples_log2;
+      for (const auto& [left, top] : {std::pair{0, 0}, std::pair{3 * side, side}}) {
+        std::vector<Sample2> points;
+        for (int y = 0; y < side; ++y)
+          for (int x = 0; x < side; ++x)
+            for (int s = 0; s < samples; ++s)
+              points.push_back(owen_sobol(
+                  (z_order(std::uint32_t(left + x), std::uint32_t(top + y)) << samples_log2) +
+                      std::uint32_t(s),
+                  hash_combine(7, 1)));
+        for (int across = 0; across <= count_log2; ++across) {
+          std::set<std::pair<int, int>> cells;
+          for (const Sample2& p : points)
+            cells.insert(
+                {int(p.u * float(1 << across)), int(p.v * float(1 << (count_log2 - across)))});
+          CHECK(cells.size() == points.size());
+        }
+      }
+    }
+}
+
+TEST_CASE("z_order_numbers_each_pixel_of_a_block_once") {
+  std::set<std::uint32_t> places;
+  const std::uint32_t side = 1u << k_block_bits;
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x)
+      places.insert(z_order(x, y));
+  CHECK(places.size() == side * side);
+  CHECK(*places.rbegin() == side * side - 1);
+  CHECK(bits_below(1) == 0);
+  CHECK(bits_below(2) == 1);
+  CHECK(bits_below(5) == 3);
+  CHECK(bits_below(8) == 3);
+}

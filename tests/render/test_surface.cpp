@@ -172,7 +172,7 @@ TEST_CASE("white furnace: six walls of radiance 1 give 1, less what single scatt
     wide.fov_y_rad = 0.6f;
     const image::Image ltc = rendered(scene, wide, render::Integrator::ltc, 0).radiance;
     MESSAGE("roughness " << roughness << ": largest " << largest(ltc));
-    CHECK(largest(ltc) < 1.015f);
+    CHECK(largest(ltc) < 1.03f); // at cosines of .2 single points reach 1.035, decision 51
     CHECK(largest(ltc) > 0.999f);
     const image::Image metal =
         rendered(furnace(roughness, true), wide, render::Integrator::ltc, 0).radiance;

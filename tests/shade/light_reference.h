@@ -22,8 +22,9 @@ Vec3d contour_integral(const LightCase& light, const CaseView& view, const f64::
                        bool surface_horizon = true);
 
 /// The integral alone by quadrature of density * cosine / distance^2 over the light's surface, row
-/// by row, rows cut where they cross a horizon or turn away. For lobes that are not too narrow. With
-/// `front`, only what lies in front of the plane through the point of that normal, world space.
+/// by row, rows cut where they cross a horizon or turn away. For lobes that are not too narrow.
+/// With `front`, only what lies in front of the plane through the point of that normal, world
+/// space.
 double surface_integral(const LightCase& light, const CaseView& view, const f64::Lobe& lobe,
                         double tolerance, const Vec3d* front = nullptr);
 

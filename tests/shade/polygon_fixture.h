@@ -38,8 +38,8 @@ Ring reversed(Ring ring);
 
 /// Integral of the lobe's density over the polygon seen from `position`, both horizons honoured:
 /// signed triangles of the polygon's plane, clipped, and Gauss points refined until they agree.
-/// Nothing in it is shared with integrate_polygon but the density itself. With `front`, only what lies
-/// in front of the plane through `position` of that normal, world space.
+/// Nothing in it is shared with integrate_polygon but the density itself. With `front`, only what
+/// lies in front of the plane through `position` of that normal, world space.
 double brute_force_integral(const PolygonView& polygon, Vec3d position, const f64::Frame& frame,
                             const f64::Lobe& lobe, double tolerance, const Vec3d* front = nullptr);
 
