@@ -142,7 +142,7 @@ def knot(along, around):
         for j in range(around):
             a, b = rings[i][j], rings[i][(j + 1) % around]
             d, c = rings[(i + 1) % along][j], rings[(i + 1) % along][(j + 1) % around]
-            triangles += [(a, b, c), (a, c, d)]
+            triangles += [(a, c, b), (a, d, c)]  # facing outwards
     return triangles
 
 
