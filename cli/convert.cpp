@@ -231,7 +231,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       "surfaces and of nodes' extras, are EXT_lights_area, and those with a photometric file\n"
       "EXT_lights_ies; everything else stays in it. A photometric file (.ies .ldt) becomes an\n"
       ".ies of LM-63-2002.\n"
-      "A picture (.exr .hdr .png .jpg) becomes .exr, .hdr or .png. From linear to .png it is "
+      "A picture (.exr .hdr .png .jpg .webp) becomes .exr, .hdr or .png. From linear to .png it is "
       "exposed\n"
       "and tone-mapped as by render, from .png or .jpg to .exr and .hdr decoded to linear light. "
       "Of\n"
@@ -258,7 +258,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->add_option(
           "input", arguments->input,
           "Table: .json .dds .ktx2 .exr .npy; scene: .gltf .glb; photometry: .ies .ldt; or "
-          "picture: .exr .hdr .png .jpg")
+          "picture: .exr .hdr .png .jpg .webp")
       ->required();
   command->add_option("output", arguments->output, "File to write")->required();
   command

@@ -39,12 +39,19 @@ struct Kind {
 };
 Result<Description> inspect_whole_picture(const std::string& path) { return inspect_picture(path); }
 constexpr Kind k_kinds[] = {
-    {".gltf", nullptr},           {".glb", nullptr},
-    {".exr", inspect_exr},        {".hdr", inspect_whole_picture},
-    {".json", inspect_table},     {".png", inspect_whole_picture},
-    {".dds", inspect_table},      {".jpg", inspect_whole_picture},
-    {".ktx2", inspect_table},     {".jpeg", inspect_whole_picture},
-    {".npy", inspect_table},      {".ies", inspect_photometry},
+    {".gltf", nullptr},
+    {".glb", nullptr},
+    {".exr", inspect_exr},
+    {".hdr", inspect_whole_picture},
+    {".json", inspect_table},
+    {".png", inspect_whole_picture},
+    {".dds", inspect_table},
+    {".jpg", inspect_whole_picture},
+    {".ktx2", inspect_table},
+    {".jpeg", inspect_whole_picture},
+    {".webp", inspect_whole_picture},
+    {".npy", inspect_table},
+    {".ies", inspect_photometry},
     {".ldt", inspect_photometry},
 };
 
@@ -96,7 +103,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
   command->footer(
       "A scene (.gltf .glb): geometry, cameras by number and name, lights in nits, candela and\n"
       "lumens, animations, and what the importer warns about; coordinates are the file's.\n"
-      "A picture (.exr .hdr .png .jpg): size, parts and\n"
+      "A picture (.exr .hdr .png .jpg .webp): size, parts and\n"
       "layers, range and mean of each channel, NaN and infinities, and for scene-linear ones the\n"
       "exposure that openltc compare --exposure auto would choose. A lobe table (.json .dds .ktx2 "
       ".exr .npy): its "

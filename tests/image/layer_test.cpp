@@ -84,8 +84,9 @@ ViewLayer.Vector.W: one channel (ViewLayer.Vector.W)
 
 TEST_CASE("several pictures are never chosen between") {
   const auto layers = one_part({"a.R", "a.G", "a.B", "b.R", "b.G", "b.B", "c.Y", "depth"});
-  CHECK(has(chosen(layers, ""), "holds several pictures; name one by --layer NAME or FILE:NAME: "
-                                "'a', 'b'"));
+  CHECK(has(chosen(layers, ""),
+            "holds several pictures; name one as FILE:NAME, or by openltc compare --layer NAME: "
+            "'a', 'b'"));
   CHECK(chosen(layers, "b") == "b");
   CHECK(chosen(one_part({"a.Y", "depth"}), "") == "a");
   CHECK(has(chosen(one_part({"R", "G"}), ""), "no picture"));
