@@ -172,7 +172,11 @@ TEST_CASE("white furnace: six walls of radiance 1 give 1, less what single scatt
     wide.fov_y_rad = 0.6f;
     const image::Image ltc = rendered(scene, wide, render::Integrator::ltc, 0).radiance;
     MESSAGE("roughness " << roughness << ": largest " << largest(ltc));
-    CHECK(largest(ltc) < 1.03f); // at cosines of .2 single points reach 1.035, decision 51
+    // Decision 51, by a search over single points: 1.008 from a cosine of .5 on, 1.035 from .2;
+    // pixels of the rim hold cosines down to 0, and which of them depends on where their rays fall.
+    CHECK(largest(ltc) < 1.03f);
+    const image::Image inside = rendered(scene, camera, render::Integrator::ltc, 0).radiance;
+    CHECK(largest(inside) < 1.008f); // cosines from .8 on
     CHECK(largest(ltc) > 0.999f);
     const image::Image metal =
         rendered(furnace(roughness, true), wide, render::Integrator::ltc, 0).radiance;
