@@ -16,6 +16,8 @@
 #include <cmath>
 
 using namespace openltc;
+using test::max_difference;
+using test::rendered;
 
 namespace {
 
@@ -95,12 +97,6 @@ const Family k_families[] = {
        }
      }}};
 
-render::Picture rendered(const scene::Scene& scene, const render::RenderOptions& options) {
-  auto picture = render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options);
-  REQUIRE(picture.ok());
-  return std::move(*picture);
-}
-
 render::RenderOptions small_picture() {
   render::RenderOptions options;
   options.width = 64;
@@ -117,20 +113,13 @@ double mean(const image::Image& picture) {
   return sum / double(picture.data.size());
 }
 
-double max_difference(const image::Image& a, const image::Image& b) {
-  double d = 0;
-  for (std::size_t i = 0; i < a.data.size(); ++i)
-    d = std::max(d, std::abs(double(a.data[i]) - double(b.data[i])));
-  return d;
-}
-
 } // namespace
 
 TEST_CASE("lights that reach nothing change no pixel by more than the error that is allowed") {
   render::RenderOptions options = small_picture();
   // Shades stand in the room and cast shadows: there the lamps are compared with themselves.
   for (const Family& family : k_families) {
-    CAPTURE(family.name);
+    CAPTURE(std::string(family.name));
     scene::Scene without = room(12, 300), with = without;
     family.add(with);
     without.meshes = with.meshes; // the same walls
@@ -152,7 +141,7 @@ TEST_CASE("lights that reach nothing change no pixel by more than the error that
 TEST_CASE("a room with blocked lights is as bright as its reference") {
   render::RenderOptions options = small_picture();
   for (const Family& family : k_families) {
-    CAPTURE(family.name);
+    CAPTURE(std::string(family.name));
     scene::Scene scene = room(12, 300);
     family.add(scene);
     options.integrator = render::Integrator::ltc;

@@ -21,6 +21,8 @@
 #include <random>
 
 using namespace openltc;
+using test::max_difference;
+using test::rendered;
 
 namespace {
 
@@ -132,13 +134,6 @@ render::BatchBounds measured(const std::vector<render::SurfacePoint>& points) {
   return buffer.measure(render::best_kernel(), context, buffer.all());
 }
 
-double max_difference(const image::Image& a, const image::Image& b) {
-  double d = 0;
-  for (std::size_t i = 0; i < a.data.size(); ++i)
-    d = std::max(d, std::abs(double(a.data[i]) - double(b.data[i])));
-  return d;
-}
-
 scene::Scene room_of_lamps(int count) {
   scene::Scene scene;
   test::add_floor(scene, 30, 0, test::glossy_material({0.5f, 0.4f, 0.3f}, 0.2f, false));
@@ -156,12 +151,6 @@ scene::Scene room_of_lamps(int count) {
   }
   scene.cameras.push_back(test::look_at({0, 2.5f, 14}, {0, 0.5f, 0}, 0.8f));
   return scene;
-}
-
-render::Picture rendered(const scene::Scene& scene, const render::RenderOptions& options) {
-  auto picture = render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options);
-  REQUIRE(picture.ok());
-  return std::move(*picture);
 }
 
 render::RenderOptions small_picture() {

@@ -3,8 +3,14 @@
 
 #include "test_scenes.h"
 
+#include "openltc/table/lobe_table.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace openltc::test {
 
@@ -92,6 +98,19 @@ scene::Camera look_at(Vec3f from, Vec3f to, float fov_y_rad) {
   camera.up = cross(camera.right, camera.forward);
   camera.fov_y_rad = fov_y_rad;
   return camera;
+}
+
+render::Picture rendered(const scene::Scene& scene, const render::RenderOptions& options) {
+  auto picture = render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options);
+  REQUIRE(picture.ok());
+  return std::move(*picture);
+}
+
+double max_difference(const image::Image& a, const image::Image& b) {
+  double d = 0;
+  for (std::size_t i = 0; i < a.data.size(); ++i)
+    d = std::max(d, std::abs(double(a.data[i]) - double(b.data[i])));
+  return d;
 }
 
 } // namespace openltc::test

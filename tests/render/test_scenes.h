@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/render/renderer.h"
 #include "openltc/scene/scene.h"
 
 namespace openltc::test {
@@ -27,5 +28,11 @@ light::PolygonLight ceiling_rectangle(float x0, float z0, float x1, float z1, fl
 
 /// Camera at `from` that looks at `to`.
 scene::Camera look_at(Vec3f from, Vec3f to, float fov_y_rad);
+
+/// The picture of the scene's first camera with the built-in table; the test ends where there is
+/// none.
+render::Picture rendered(const scene::Scene& scene, const render::RenderOptions& options);
+/// Largest difference of two values of pictures of one size.
+double max_difference(const image::Image& a, const image::Image& b);
 
 } // namespace openltc::test
