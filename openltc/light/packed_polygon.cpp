@@ -175,6 +175,9 @@ PackedPolygon pack_polygon(const PolygonLight& light) {
   packed.view.points = packed.points.data();
   packed.view.in_plane = packed.in_plane.data();
   packed.view.point_count = int(packed.points.size() / 4);
+  packed.view.triangles = packed.triangles.data();
+  packed.view.triangle_cdf = packed.triangle_cdf.data();
+  packed.view.triangle_count = int(packed.triangle_cdf.size());
   packed.view.two_sided = light.two_sided;
   packed.view.area = packed.area;
   std::vector<Vec2d> flat_points;

@@ -25,9 +25,6 @@ void pack(const light::PolygonLight& light, AreaLightView& view, LightSet& set) 
   const light::PackedPolygon& kept = set.packed.back();
   view.shape = LightShape::polygon;
   view.polygon = kept.view;
-  view.triangles = kept.triangles.data();
-  view.triangle_cdf = kept.triangle_cdf.data();
-  view.triangle_count = int(kept.triangle_cdf.size());
 }
 
 void pack(const light::EllipseLight& light, AreaLightView& view, LightSet&) {

@@ -77,8 +77,8 @@ struct FarSet {
   float* reach = nullptr;
 };
 
-/// What is asked of a batch with shadows: the sums of the closed form, and all that needs no ratio; the
-/// sums of the shadow rays; or both.
+/// What is asked of a batch with shadows: the sums of the closed form, and all that needs no ratio;
+/// the sums of the shadow rays; or both.
 enum class ShadingPart : std::uint8_t { both, closed, rays };
 
 /// Surface points in, radiance out. The arrays are padded to a multiple of k_batch_padding.
@@ -95,8 +95,8 @@ struct ShadingBatch {
   float* ratio_sums = nullptr;
   int pixel_count = 0;
   ShadingPart part = ShadingPart::both; ///< of the LTC integrator, with shadows
-  /// Of ShadingPart::rays: sums like ratio_sums, with those of the closed form. A light without any in
-  /// a pixel gets no rays there.
+  /// Of ShadingPart::rays: sums like ratio_sums, with those of the closed form. A light without any
+  /// in a pixel gets no rays there.
   const float* closed_sums = nullptr;
   /// The area lights that shade the points, `light_count` of them, and the slot of each; null for
   /// all, with slots of the same numbers. The reference integrator takes all in any case.
@@ -117,9 +117,6 @@ enum class LightShape : std::uint8_t { polygon, ellipse, sphere, tube, line };
 struct AreaLightView {
   LightShape shape = LightShape::polygon;
   PolygonView polygon;
-  const float* triangles = nullptr; ///< of the polygon, see light::PackedPolygon
-  const float* triangle_cdf = nullptr;
-  int triangle_count = 0;
   float center[3] = {0, 0, 0}; ///< ellipse, sphere
   float half_u[3] = {1, 0, 0}; ///< ellipse
   float half_v[3] = {0, 1, 0};
@@ -207,8 +204,6 @@ struct KernelContext {
 };
 
 inline constexpr int k_max_brdf_samples = 64;
-/// Polygons of so many triangles are sampled by their solid angle, others by their area.
-inline constexpr int k_max_angle_triangles = 8;
 /// All groups of far lights that reach a point together take as many shadow samples as this many
 /// lights; those that were found not to reach it as many as that.
 inline constexpr int k_far_light_samples = 4, k_hidden_light_samples = 2;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// The integral of a lobe over a polygon, exact, clipped to both horizons.
+// The integral of a lobe over a polygon, exact, clipped to both horizons. Its sampling: polygon_points.glsl.
 //
 // Source: the edge sum of edge.glsl.
 //
@@ -10,9 +10,8 @@
 //                                                repeating its first point
 //   Vec3 polygon_point(Polygon, int)             world space
 //   bool polygon_starts_ring(Polygon, int)
-//   Vec2 polygon_point_in_plane(Polygon, int)    the same point in the plane's own frame
-//   Vec3 polygon_origin(Polygon), polygon_axis_u(Polygon), polygon_axis_v(Polygon),
-//   Vec3 polygon_normal(Polygon)                 that frame; unit normal to the emitting side
+//   Vec3 polygon_origin(Polygon)                 a point of its plane
+//   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
@@ -398,74 +397,4 @@ FN_CALL Heights polygon_heights(Polygon polygon, Vec3 position, Vec3 normal) {
     heights.high = max(heights.high, height);
   }
   return heights;
-}
-
-/// Where a ray from `position` along the unit `direction` meets the polygon: the plane first, then
-/// the parity of the outline's crossings with a line through the point. The density is that of
-/// sampling its area evenly.
-FN LightPoint intersect_polygon(Polygon polygon, Vec3 position, Vec3 direction) {
-  Vec3 normal = polygon_normal(polygon);
-  Vec3 to_origin = polygon_origin(polygon) - position;
-  Real slope = dot(direction, normal);
-  Real t = dot(to_origin, normal) / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
-  Vec3 on_plane = direction * t - to_origin;
-  Real x = dot(on_plane, polygon_axis_u(polygon));
-  Real y = dot(on_plane, polygon_axis_v(polygon));
-
-  Mask inside = Real(1.0) < Real(0.0);
-  Vec2 a = Vec2(Real(0.0), Real(0.0));
-  int count = polygon_point_count(polygon);
-  for (int i = 0; i < count; ++i) {
-    Vec2 b = polygon_point_in_plane(polygon, i);
-    if (!polygon_starts_ring(polygon, i)) {
-      Mask straddles = (a.y > y) != (b.y > y);
-      Real rise = b.y - a.y + select(a.y == b.y, Real(1.0), Real(0.0));
-      Mask crosses = straddles && x < a.x + (y - a.y) * (b.x - a.x) / rise;
-      inside = inside != crosses;
-    }
-    a = b;
-  }
-
-  Mask faces = slope < Real(0.0);
-  if (polygon_two_sided(polygon)) {
-    faces = slope != Real(0.0);
-  }
-  Mask in_plane = lies_in_plane(dot(to_origin, normal), to_origin, Real(0.0));
-  LightPoint result;
-  result.hit = inside && faces && t > Real(0.0) && !in_plane;
-  result.direction = direction;
-  result.distance = max(t, Real(0.0));
-  result.cos_light = abs(slope);
-  result.solid_angle = solid_angle_of_area(polygon_area(polygon), result.cos_light, t * t);
-  return result;
-}
-
-/// Where a unit direction that leads to the polygon meets it; the density is 1 / solid_angle.
-FN LightPoint polygon_point_towards(Polygon polygon, Vec3 position, Vec3 direction,
-                                    Real solid_angle) {
-  Vec3 normal = polygon_normal(polygon);
-  Vec3 to_origin = polygon_origin(polygon) - position;
-  Real h = dot(to_origin, normal);
-  Real slope = dot(direction, normal);
-  Mask faces = slope < Real(0.0);
-  if (polygon_two_sided(polygon)) {
-    faces = slope != Real(0.0);
-  }
-  LightPoint result;
-  result.direction = direction;
-  result.distance = h / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
-  result.cos_light = abs(slope);
-  result.solid_angle = solid_angle;
-  result.hit = faces && result.distance > Real(0.0) && result.cos_light > Real(1.0e-6) &&
-               !lies_in_plane(h, to_origin, Real(0.0));
-  return result;
-}
-
-/// The point of the polygon that `point` (world space, evenly distributed over its area) is.
-FN LightPoint polygon_point_at(Polygon polygon, Vec3 position, Vec3 point) {
-  Vec3 to_origin = polygon_origin(polygon) - position;
-  Vec3 normal = polygon_normal(polygon);
-  Mask in_plane = lies_in_plane(dot(to_origin, normal), to_origin, Real(0.0));
-  return area_light_point(point - position, normal, polygon_area(polygon),
-                          polygon_two_sided(polygon) ? Real(1.0) : Real(0.0), in_plane);
 }

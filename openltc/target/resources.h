@@ -43,6 +43,11 @@ struct PolygonView {
   float spread_u[3] = {0, 0, 0}; ///< see light::PolygonMoments, world space
   float spread_v[3] = {0, 0, 0};
   float radius = 0; ///< metres from the centroid to the farthest point
+  /// Its area cut into triangles, for sampling: triangle_count * 9 floats, corner, edge, edge
+  /// (world space), and the running share of the area, 1 for the last.
+  const float* triangles = nullptr;
+  const float* triangle_cdf = nullptr;
+  int triangle_count = 0;
 };
 
 /// View of a luminous intensity by direction; see shade/profile.glsl.
