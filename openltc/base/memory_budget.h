@@ -71,6 +71,11 @@ public:
     if (status) bytes_ += bytes;
     return status;
   }
+  /// What another owner of the same budget has is this one's from now on.
+  void take_over(MemoryShare&& other) {
+    bytes_ += other.bytes_;
+    other.bytes_ = 0;
+  }
   std::uint64_t bytes() const { return bytes_; }
   MemoryBudget& budget() const { return *budget_; }
 
