@@ -95,7 +95,8 @@ TEST_CASE("smaller_copies_are_means_of_four_whether_kept_or_computed") {
     int width, height;
   };
   // The second is larger than what keeps its largest copy; odd sides leave their last pixels out.
-  for (const auto [width, height] : {Size{7, 5}, Size{4099, 1025}}) {
+  for (const Size size : {Size{7, 5}, Size{4099, 1025}}) {
+    const int width = size.width, height = size.height;
     CAPTURE(width);
     for (const int channels : {1, 3, 4}) {
       std::vector<std::uint8_t> samples =
