@@ -160,9 +160,11 @@ void check_count(const Document& document, int index, std::size_t element_size) 
 std::string accessor_field(int index) { return fmt::format("accessors[{}]", index); }
 
 std::size_t accessor_count(const Document& document, int index) {
-  const auto& accessors = document.model->accessors;
-  return index >= 0 && std::size_t(index) < accessors.size() ? accessors[std::size_t(index)].count
-                                                             : 0;
+  const tinygltf::Accessor& accessor = document.model->accessors[std::size_t(index)];
+  const int components = tinygltf::GetNumComponentsInType(std::uint32_t(accessor.type));
+  if (components < 1) return 0;
+  check_count(document, index, component_size(accessor.componentType) * std::size_t(components));
+  return accessor.count;
 }
 
 Floats read_floats(const Document& document, int index) {

@@ -34,7 +34,7 @@ Floats read_floats(const Document& document, int index);
 /// Elements `first` to `first + count` - 1 of accessors[index] alone, which must lie within it.
 Floats read_floats(const Document& document, int index, std::size_t first, std::size_t count);
 
-/// accessors[index].count, 0 when there is no such accessor.
+/// accessors[index].count. Throws Failure when its view does not hold so many.
 std::size_t accessor_count(const Document& document, int index);
 
 /// Reads accessors[index], MAT4 of floats, 16 numbers each, column by column. Throws Failure as
