@@ -59,6 +59,18 @@ Status check_outputs(const std::vector<std::string>& paths, bool with_standard_e
   return check_places(all_output_files(paths, with_standard_error));
 }
 
+Status take_picture_memory(MemoryShare& memory, int width, int height, bool with_standard_error) {
+  // Radiance; what is written, or luminances for the exposure.
+  const std::uint64_t pixel_bytes = (3 + 4 + (with_standard_error ? 3 : 0)) * sizeof(float);
+  const std::uint64_t bytes = std::uint64_t(width) * std::uint64_t(height) * pixel_bytes;
+  if (memory.take(bytes, "")) return Success{};
+  return Error{fmt::format("a picture of {}x{} pixels takes {}, and {} of {} are left; give a "
+                           "smaller --size or more --memory",
+                           width, height, memory_size_text(bytes),
+                           memory_size_text(memory.budget().left()),
+                           memory_size_text(memory.budget().limit()))};
+}
+
 Status check_ev100(float ev100) {
   const float exposure = image::exposure_from_ev100(ev100);
   if (exposure > 0 && std::isfinite(exposure)) return Success{};
@@ -80,9 +92,9 @@ Status write_picture(const std::string& path, const image::Image& radiance,
                      image::ExrPrecision precision) {
   const std::string extension = extension_of(path);
   if (extension == ".exr") {
-    std::vector<image::Layer> layers = {{"", radiance}};
-    if (standard_error) layers.push_back({"stderr", *standard_error});
-    return image::write_exr(path, layers, precision);
+    std::vector<image::LayerView> layers = {{"", &radiance}};
+    if (standard_error) layers.push_back({"stderr", standard_error});
+    return image::write_exr_views(path, layers, precision);
   }
   if (extension == ".hdr") {
     Status status = image::write_hdr(path, radiance);

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/base/memory_budget.h"
 #include "openltc/base/result.h"
 #include "openltc/image/file.h"
 #include "openltc/image/tonemap.h"
@@ -36,6 +37,9 @@ std::vector<std::string> output_files(const std::string& path, bool with_standar
 /// Those of several.
 std::vector<std::string> all_output_files(const std::vector<std::string>& paths,
                                           bool with_standard_error);
+
+/// Counts what a picture of this size takes until it is written, or says that there is no room.
+Status take_picture_memory(MemoryShare& memory, int width, int height, bool with_standard_error);
 
 /// Whether pictures can be written to these paths: known extensions, and check_places.
 Status check_outputs(const std::vector<std::string>& paths, bool with_standard_error);

@@ -15,6 +15,7 @@
 #include "cli/shape_options.h"
 #include "cli/standard_streams.h"
 #include "openltc/base/atomic_file.h"
+#include "openltc/base/memory_budget.h"
 #include "openltc/base/message.h"
 #include "openltc/render/renderer.h"
 #include "openltc/render/studio_room.h"
@@ -258,6 +259,11 @@ int run_render(const RenderArguments& arguments) {
   if (!camera) return fail("render", camera.error());
   if (!size_given && camera->aspect > 0)
     options.width = int(std::clamp(float(options.height) * camera->aspect + 0.5f, 16.0f, 8192.0f));
+  MemoryShare picture_memory;
+  if (Status status =
+          take_picture_memory(picture_memory, options.width, options.height, has_standard_error);
+      !status)
+    return fail("render", status.error());
   const Result<LightsChosen> lights = choose_lights(scene, arguments.lights, *camera);
   if (!lights) return fail("render", lights.error());
   if (lights->studio_level) {

@@ -4,8 +4,8 @@
 // How much memory files may ask for. A few bytes of a file can name any size: a picture of 16
 // billion pixels, an instance a million times over. Whoever takes memory by the word of a file
 // first asks here, so that the answer is a line of text and not the end of the process or of the
-// machine. It counts what files ask for; the program's own needs (pixels of the picture, rays) live
-// in the rest of the machine's memory.
+// machine. It counts what files ask for, and the picture that is rendered; the program's own needs
+// (code, rays) live in the rest of the machine's memory.
 
 #pragma once
 
@@ -70,6 +70,11 @@ public:
     Status status = budget_->take(bytes, what);
     if (status) bytes_ += bytes;
     return status;
+  }
+  /// What another owner of the same budget has is this one's from now on.
+  void take_over(MemoryShare&& other) {
+    bytes_ += other.bytes_;
+    other.bytes_ = 0;
   }
   std::uint64_t bytes() const { return bytes_; }
   MemoryBudget& budget() const { return *budget_; }

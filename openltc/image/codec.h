@@ -8,19 +8,27 @@
 #include "openltc/image/file.h"
 
 #include <array>
+#include <memory>
 
 namespace openltc::image::codec {
 
 /// Integer samples as PNG, JPEG and WebP hold them, before any transfer function: interleaved rows,
 /// top row first, `channels` 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha. Exactly one of the
-/// two vectors is used.
+/// two is used.
 struct Samples {
   int width = 0;
   int height = 0;
   int channels = 0;
-  std::vector<std::uint8_t> bits8;
+  std::shared_ptr<const std::uint8_t> bits8; ///< may be memory of a decoder, which is not copied
   std::vector<std::uint16_t> bits16;
+
+  std::size_t count() const {
+    return std::size_t(width) * std::size_t(height) * std::size_t(channels);
+  }
 };
+
+/// `count` zeros; nothing when there is no memory.
+std::shared_ptr<std::uint8_t> new_bytes(std::size_t count);
 
 bool is_png(std::span<const std::uint8_t> bytes);
 bool is_jpeg(std::span<const std::uint8_t> bytes);

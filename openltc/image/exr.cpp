@@ -225,6 +225,13 @@ Result<Image> read_chosen(ExrFile& file, const LayerInfo& layer, const std::stri
   if (!can_hold(file.stream->size(), header.compression(), layer.data))
     return Error{fmt::format("{}: too small a file for its {}x{} pixels: cut short or damaged",
                              name, layer.data.width, layer.data.height)};
+  // Floats; where they are put together from several, these as well.
+  const bool is_made = layer.kind == LayerKind::luminance_chroma || layer.channels.size() == 2;
+  const std::size_t bytes =
+      sizeof(float) * (is_made ? 8 : std::max<std::size_t>(layer.channels.size(), 3));
+  for (const Window& window : {layer.display, layer.data})
+    if (Status ok = codec::check_readable(name, window.width, window.height, bytes); !ok)
+      return ok.error();
   Imf::InputPart part(*file.parts, layer.part);
   if (layer.kind == LayerKind::grey && layer.channels.size() == 2) { // grey with alpha
     const Image both = read_channels(part, layer.channels, layer);

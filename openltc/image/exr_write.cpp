@@ -89,14 +89,14 @@ Imf::Slice slice_at(const float* first, const Imath::Box2i& box, std::size_t x_s
 }
 
 // Writes lines one after the other through a buffer of a single line in half precision.
-void write_halves(Imf::OutputFile& file, std::span<const Layer> layers) {
-  const int width = layers[0].image.width;
-  const int height = layers[0].image.height;
+void write_halves(Imf::OutputFile& file, std::span<const LayerView> layers) {
+  const int width = layers[0].image->width;
+  const int height = layers[0].image->height;
   std::vector<std::vector<half>> lines;
   Imf::FrameBuffer frame;
-  for (const Layer& layer : layers) {
-    const std::size_t channels = std::size_t(layer.image.channels);
-    const std::vector<std::string> names = component_names(layer.name, layer.image.channels);
+  for (const LayerView& layer : layers) {
+    const std::size_t channels = std::size_t(layer.image->channels);
+    const std::vector<std::string> names = component_names(layer.name, layer.image->channels);
     lines.emplace_back(std::size_t(width) * channels);
     for (std::size_t c = 0; c < channels; ++c) // a row stride of 0: every row lies in the same line
       frame.insert(names[c], Imf::Slice(Imf::HALF, reinterpret_cast<char*>(lines.back().data() + c),
@@ -105,7 +105,7 @@ void write_halves(Imf::OutputFile& file, std::span<const Layer> layers) {
   file.setFrameBuffer(frame);
   for (int y = 0; y < height; ++y) {
     for (std::size_t l = 0; l < layers.size(); ++l) {
-      const float* row = layers[l].image.pixel(0, y);
+      const float* row = layers[l].image->pixel(0, y);
       std::transform(row, row + lines[l].size(), lines[l].begin(), [](float v) {
         return half(std::isfinite(v) ? std::clamp(v, -k_half_max, k_half_max) : v);
       });
@@ -114,10 +114,10 @@ void write_halves(Imf::OutputFile& file, std::span<const Layer> layers) {
   }
 }
 
-void write_floats(Imf::OutputFile& file, std::span<const Layer> layers) {
+void write_floats(Imf::OutputFile& file, std::span<const LayerView> layers) {
   Imf::FrameBuffer frame;
-  for (const Layer& layer : layers) {
-    const Image& image = layer.image;
+  for (const LayerView& layer : layers) {
+    const Image& image = *layer.image;
     const Imath::Box2i box(Imath::V2i(0, 0), Imath::V2i(image.width - 1, image.height - 1));
     const std::vector<std::string> names = component_names(layer.name, image.channels);
     const std::size_t x_stride = sizeof(float) * names.size();
@@ -126,18 +126,19 @@ void write_floats(Imf::OutputFile& file, std::span<const Layer> layers) {
                                       x_stride * std::size_t(image.width)));
   }
   file.setFrameBuffer(frame);
-  file.writePixels(layers[0].image.height);
+  file.writePixels(layers[0].image->height);
 }
 
-Status check_layers(const std::string& path, std::span<const Layer> layers) {
+Status check_layers(const std::string& path, std::span<const LayerView> layers) {
   if (layers.empty()) return Error{fmt::format("{}: no layer to write", path)};
   std::set<std::string> names;
-  for (const Layer& layer : layers) {
-    if (Status ok = codec::check_writable(path, layer.image); !ok) return ok;
-    if (layer.image.width != layers[0].image.width || layer.image.height != layers[0].image.height)
+  for (const LayerView& layer : layers) {
+    if (Status ok = codec::check_writable(path, *layer.image); !ok) return ok;
+    if (layer.image->width != layers[0].image->width ||
+        layer.image->height != layers[0].image->height)
       return Error{fmt::format("{}: layer '{}' has {}x{} pixels, the first layer {}x{}", path,
-                               layer.name, layer.image.width, layer.image.height,
-                               layers[0].image.width, layers[0].image.height)};
+                               layer.name, layer.image->width, layer.image->height,
+                               layers[0].image->width, layers[0].image->height)};
     if (!names.insert(layer.name).second)
       return Error{fmt::format("{}: two layers are named '{}'", path, layer.name)};
   }
@@ -150,14 +151,22 @@ Status check_layers(const std::string& path, std::span<const Layer> layers) {
 } // namespace
 
 Status write_exr(const std::string& path, std::span<const Layer> layers, ExrPrecision precision) {
+  std::vector<LayerView> views;
+  for (const Layer& layer : layers)
+    views.push_back({layer.name, &layer.image});
+  return write_exr_views(path, views, precision);
+}
+
+Status write_exr_views(const std::string& path, std::span<const LayerView> layers,
+                       ExrPrecision precision) {
   if (Status ok = check_layers(path, layers); !ok) return ok;
   const bool halves = precision == ExrPrecision::half_float;
   return write_atomically(path, [&](const std::string& temporary) {
     return guarded_exr<Success>(path, "write", [&]() -> Status {
-      Imf::Header header(layers[0].image.width, layers[0].image.height);
+      Imf::Header header(layers[0].image->width, layers[0].image->height);
       header.compression() = Imf::ZIP_COMPRESSION;
-      for (const Layer& layer : layers)
-        for (const std::string& name : component_names(layer.name, layer.image.channels))
+      for (const LayerView& layer : layers)
+        for (const std::string& name : component_names(layer.name, layer.image->channels))
           header.channels().insert(name, Imf::Channel(halves ? Imf::HALF : Imf::FLOAT));
       FileStream stream(temporary);
       {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
@@ -31,6 +32,10 @@ std::string lower_extension(const std::string& path) {
 
 Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
   constexpr std::uint64_t max_bytes = k_max_pixels * 8; // 4 channels of 16 bits, uncompressed
+  std::error_code ec;
+  const std::uintmax_t size = std::filesystem::file_size(path, ec);
+  if (!ec && size <= max_bytes)
+    if (Status ok = memory_budget().check(size, path); !ok) return ok.error();
   Result<std::vector<std::uint8_t>> bytes = read_regular_file(path, max_bytes);
   if (bytes && bytes->empty()) return Error{fmt::format("{}: the file is empty", path)};
   return bytes;
@@ -81,12 +86,11 @@ Result<codec::Samples> decode_samples(std::span<const std::uint8_t> bytes,
 
 // `color` turns a sample into a colour, `scale` into alpha.
 template <class T, class Color>
-Image expand(const codec::Samples& from, const std::vector<T>& samples, int channels, Color color,
-             float scale) {
+Image expand(const codec::Samples& from, const T* samples, int channels, Color color, float scale) {
   Image image(from.width, from.height, channels);
   const bool has_alpha = from.channels == 2 || from.channels == 4;
   const bool is_grey = from.channels <= 2;
-  const T* in = samples.data();
+  const T* in = samples;
   float* out = image.data.data();
   for (std::size_t i = image.pixel_count(); i > 0; --i) {
     out[0] = color(in[0]);
@@ -100,25 +104,30 @@ Image expand(const codec::Samples& from, const std::vector<T>& samples, int chan
 }
 
 Image to_image(const codec::Samples& from, int channels, bool srgb_to_linear) {
-  if (!from.bits8.empty()) {
+  if (from.bits8) {
     const auto& linear = codec::linear_from_srgb8();
     constexpr float scale = 1.0f / 255.0f;
     if (srgb_to_linear)
       return expand(
-          from, from.bits8, channels, [&](std::uint8_t v) { return linear[v]; }, scale);
+          from, from.bits8.get(), channels, [&](std::uint8_t v) { return linear[v]; }, scale);
     return expand(
-        from, from.bits8, channels, [](std::uint8_t v) { return float(v) * scale; }, scale);
+        from, from.bits8.get(), channels, [](std::uint8_t v) { return float(v) * scale; }, scale);
   }
   constexpr float scale = 1.0f / 65535.0f;
   if (srgb_to_linear)
     return expand(
-        from, from.bits16, channels,
+        from, from.bits16.data(), channels,
         [](std::uint16_t v) { return linear_from_srgb(float(v) * scale); }, scale);
   return expand(
-      from, from.bits16, channels, [](std::uint16_t v) { return float(v) * scale; }, scale);
+      from, from.bits16.data(), channels, [](std::uint16_t v) { return float(v) * scale; }, scale);
 }
 
 } // namespace
+
+std::shared_ptr<std::uint8_t> codec::new_bytes(std::size_t count) {
+  auto* const bytes = static_cast<std::uint8_t*>(std::calloc(std::max<std::size_t>(count, 1), 1));
+  return bytes ? std::shared_ptr<std::uint8_t>(bytes, std::free) : nullptr;
+}
 
 Status codec::check_size(const std::string& name, std::int64_t width, std::int64_t height) {
   if (width <= 0 || height <= 0)
@@ -149,20 +158,44 @@ Status codec::check_writable(const std::string& path, const Image& image) {
   return Success{};
 }
 
-Result<Image> read(const std::string& path) try {
+namespace {
+
+bool holds_floats(const std::string& path) {
   const std::string extension = lower_extension(path);
-  if (extension == ".exr") {
+  return extension == ".exr" || extension == ".hdr";
+}
+
+Result<Image> read_floats(const std::string& path) {
+  if (lower_extension(path) == ".exr") {
     Result<Image> image = read_layer(path, "");
     return image ? Result<Image>(grey_as_rgb(std::move(*image))) : image;
   }
+  const Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
+  return bytes ? codec::decode_radiance(*bytes, path) : Result<Image>(bytes.error());
+}
+
+Result<codec::Samples> read_samples(const std::string& path) {
   if (!is_readable_extension(path))
     return Error{fmt::format("{}: unknown picture format '{}'; .exr, .hdr, .png, .jpg, .jpeg and "
                              ".webp can be read",
-                             path, extension)};
-  Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
-  if (!bytes) return bytes.error();
-  if (extension == ".hdr") return codec::decode_radiance(*bytes, path);
-  Result<codec::Samples> samples = decode_samples(*bytes, path);
+                             path, lower_extension(path))};
+  const Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
+  return bytes ? decode_samples(*bytes, path) : Result<codec::Samples>(bytes.error());
+}
+
+Texels texels_of(codec::Samples samples, bool srgb_to_linear) {
+  const auto keep = [&](auto& values) {
+    return Texels(samples.width, samples.height, samples.channels, std::move(values),
+                  srgb_to_linear);
+  };
+  return samples.bits8 ? keep(samples.bits8) : keep(samples.bits16);
+}
+
+} // namespace
+
+Result<Image> read(const std::string& path) try {
+  if (holds_floats(path)) return read_floats(path);
+  const Result<codec::Samples> samples = read_samples(path);
   if (!samples) return samples.error();
   const int channels = samples->channels % 2 == 0 ? 4 : 3;
   if (Status ok = codec::check_readable(path, samples->width, samples->height,
@@ -170,6 +203,18 @@ Result<Image> read(const std::string& path) try {
       !ok)
     return ok.error();
   return to_image(*samples, channels, true);
+} catch (const std::bad_alloc&) {
+  return Error{fmt::format("{}: not enough memory for the picture", path)};
+}
+
+Result<Texels> read_texels(const std::string& path) try {
+  if (holds_floats(path)) {
+    Result<Image> image = read_floats(path);
+    return image ? Result<Texels>(Texels(std::move(*image))) : Result<Texels>(image.error());
+  }
+  Result<codec::Samples> samples = read_samples(path);
+  if (!samples) return samples.error();
+  return texels_of(std::move(*samples), true);
 } catch (const std::bad_alloc&) {
   return Error{fmt::format("{}: not enough memory for the picture", path)};
 }
@@ -234,11 +279,7 @@ Result<Texels> decode_texels(std::span<const std::uint8_t> bytes, const std::str
                              bool srgb_to_linear) try {
   Result<codec::Samples> samples = decode_samples(bytes, name);
   if (!samples) return samples.error();
-  const auto keep = [&](auto& values) {
-    return Texels(samples->width, samples->height, samples->channels, std::move(values),
-                  srgb_to_linear);
-  };
-  return samples->bits8.empty() ? keep(samples->bits16) : keep(samples->bits8);
+  return texels_of(std::move(*samples), srgb_to_linear);
 } catch (const std::bad_alloc&) {
   return Error{fmt::format("{}: not enough memory for the picture", name)};
 }

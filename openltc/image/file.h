@@ -76,6 +76,10 @@ Result<Image> decode(std::span<const std::uint8_t> bytes, const std::string& nam
 Result<Texels> decode_texels(std::span<const std::uint8_t> bytes, const std::string& name,
                              bool srgb_to_linear);
 
+/// What `read` reads, in the file's own precision where that is 8 or 16 bits; colours of those are
+/// taken as sRGB.
+Result<Texels> read_texels(const std::string& path);
+
 /// Whether this build reads WebP.
 bool can_read_webp();
 
@@ -86,6 +90,14 @@ bool can_read_webp();
 /// an older file survives a failure.
 Status write_exr(const std::string& path, std::span<const Layer> layers,
                  ExrPrecision precision = ExrPrecision::full_float);
+
+/// A layer whose picture another owns.
+struct LayerView {
+  std::string name;
+  const Image* image = nullptr;
+};
+Status write_exr_views(const std::string& path, std::span<const LayerView> layers,
+                       ExrPrecision precision = ExrPrecision::full_float);
 
 /// Writes a Radiance RGBE file, run-length encoded: 8 bits of mantissa, the exponent shared by the
 /// three channels, so the error is at most 1/256 of the pixel's largest channel. Alpha is dropped;

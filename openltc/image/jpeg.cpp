@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <memory>
 
 // Static, because other libraries of the process (tinygltf) carry their own copy.
 #define STB_IMAGE_STATIC
@@ -34,6 +35,7 @@ namespace openltc::image::codec {
 namespace {
 
 enum Marker : std::uint8_t {
+  k_progressive_frame = 0xC2,
   k_huffman_tables = 0xC4,
   k_first_restart = 0xD0,
   k_last_restart = 0xD7,
@@ -57,8 +59,9 @@ bool are_huffman_tables_sound(std::span<const std::uint8_t> tables) {
 }
 
 // stb_image fills up a file that ends early instead of refusing it. This walks over the markers
-// (T.81, annex B) and tells whether the last one, end of image, is reached by sound segments.
-bool is_whole(std::span<const std::uint8_t> bytes) {
+// (T.81, annex B) and tells whether the last one, end of image, is reached by sound segments, and
+// whether one said that the picture is progressive.
+bool is_whole(std::span<const std::uint8_t> bytes, bool& is_progressive) {
   std::size_t at = 2; // behind the start-of-image marker
   bool in_scan = false;
   while (at + 1 < bytes.size()) {
@@ -87,6 +90,7 @@ bool is_whole(std::span<const std::uint8_t> bytes) {
       return false;
     at += length;
     in_scan = marker == k_start_of_scan;
+    is_progressive = is_progressive || marker == k_progressive_frame;
   }
   return false;
 }
@@ -100,7 +104,8 @@ bool is_jpeg(std::span<const std::uint8_t> bytes) {
 Result<Samples> decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (!is_jpeg(bytes)) return Error{fmt::format("{}: not a JPEG file", name)};
   if (bytes.size() > INT_MAX) return Error{fmt::format("{}: JPEG file too large", name)};
-  if (!is_whole(bytes))
+  bool is_progressive = false;
+  if (!is_whole(bytes, is_progressive))
     return Error{fmt::format("{}: the JPEG file is cut short or damaged", name)};
 
   const int size = int(bytes.size());
@@ -108,24 +113,21 @@ Result<Samples> decode_jpeg(std::span<const std::uint8_t> bytes, const std::stri
   if (!stbi_info_from_memory(bytes.data(), size, &samples.width, &samples.height,
                              &samples.channels))
     return Error{fmt::format("{}: cannot decode JPEG: {}", name, stbi_failure_reason())};
-  // Progressive ones keep coefficients of two bytes for each channel, and the picture is copied
-  // once.
-  if (Status ok = check_readable(name, samples.width, samples.height, 12); !ok) return ok.error();
+  // A byte for each sample of the file (of colours, there may be four), two more for the
+  // coefficients of progressive ones, and the picture.
+  const std::size_t in_file = (samples.channels == 1 ? 1 : 4) * (is_progressive ? 3 : 1);
+  const std::size_t decoded = samples.channels == 1 ? 1 : 3;
+  if (Status ok = check_readable(name, samples.width, samples.height, in_file + decoded); !ok)
+    return ok.error();
   if (samples.channels != 1) samples.channels = 3;
 
   int channels_in_file = 0;
-  stbi_uc* pixels = stbi_load_from_memory(bytes.data(), size, &samples.width, &samples.height,
-                                          &channels_in_file, samples.channels);
-  if (!pixels) return Error{fmt::format("{}: cannot decode JPEG: {}", name, stbi_failure_reason())};
-  const std::size_t count =
-      std::size_t(samples.width) * std::size_t(samples.height) * std::size_t(samples.channels);
-  try {
-    samples.bits8.assign(pixels, pixels + count);
-  } catch (const std::bad_alloc&) {
-    stbi_image_free(pixels);
-    return Error{fmt::format("{}: not enough memory for the picture", name)};
-  }
-  stbi_image_free(pixels);
+  samples.bits8 = std::shared_ptr<const std::uint8_t>(
+      stbi_load_from_memory(bytes.data(), size, &samples.width, &samples.height, &channels_in_file,
+                            samples.channels),
+      [](const stbi_uc* pixels) { stbi_image_free(const_cast<stbi_uc*>(pixels)); });
+  if (!samples.bits8)
+    return Error{fmt::format("{}: cannot decode JPEG: {}", name, stbi_failure_reason())};
   return samples;
 }
 

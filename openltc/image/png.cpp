@@ -137,17 +137,16 @@ Result<codec::Samples> codec::decode_png(std::span<const std::uint8_t> bytes,
     return ok.error();
 
   // Deflate shrinks by a factor of 1032 at most, and a sample takes at least one bit of the file.
-  const std::size_t count =
-      std::size_t(header.width) * header.height * std::size_t(header.channels);
+  Samples samples;
+  samples.width = int(header.width);
+  samples.height = int(header.height);
+  samples.channels = header.channels;
+  const std::size_t count = samples.count();
   if (count / 32 / 1032 > bytes.size())
     return Error{fmt::format("{}: a header of {}x{} pixels on a file of {} bytes: cut short or "
                              "damaged",
                              name, header.width, header.height, bytes.size())};
 
-  Samples samples;
-  samples.width = int(header.width);
-  samples.height = int(header.height);
-  samples.channels = header.channels;
   std::uint8_t* data = nullptr;
   std::vector<png_bytep> rows;
   try {
@@ -155,8 +154,10 @@ Result<codec::Samples> codec::decode_png(std::span<const std::uint8_t> bytes,
       samples.bits16.resize(count);
       data = reinterpret_cast<std::uint8_t*>(samples.bits16.data());
     } else {
-      samples.bits8.resize(count);
-      data = samples.bits8.data();
+      const std::shared_ptr<std::uint8_t> bytes_of_picture = new_bytes(count);
+      if (!bytes_of_picture) throw std::bad_alloc();
+      data = bytes_of_picture.get();
+      samples.bits8 = bytes_of_picture;
     }
     rows.resize(header.height);
   } catch (const std::bad_alloc&) {

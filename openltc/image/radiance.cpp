@@ -214,6 +214,8 @@ Result<Image> codec::decode_radiance(std::span<const std::uint8_t> bytes, const 
     return Error{fmt::format("{}: {} bytes cannot hold {}x{} pixels: cut short or damaged", name,
                              bytes.size(), header->width, header->height)};
 
+  if (Status ok = check_readable(name, header->width, header->height, 3 * sizeof(float)); !ok)
+    return ok.error();
   Image image(header->width, header->height, 3);
   std::vector<Rgbe> line(static_cast<std::size_t>(length));
   for (int j = 0; j < lines; ++j) {

@@ -6,6 +6,7 @@
 #include "openltc/image/codec.h"
 #include "openltc/image/file.h"
 
+#include <type_traits>
 #include <utility>
 
 namespace openltc::image {
@@ -60,6 +61,13 @@ Texels::Texels(int width_, int height_, int channels, std::vector<std::uint8_t> 
   choose_tables(is_srgb);
 }
 
+Texels::Texels(int width_, int height_, int channels, std::shared_ptr<const std::uint8_t> samples,
+               bool is_srgb)
+    : width(width_), height(height_), channels_(channels), samples_(samples),
+      bits8_(samples.get()) {
+  choose_tables(is_srgb);
+}
+
 Texels::Texels(int width_, int height_, int channels, std::vector<std::uint16_t> samples,
                bool is_srgb)
     : width(width_), height(height_), channels_(channels) {
@@ -88,6 +96,35 @@ Texels Texels::taken_as(bool is_srgb) const {
 std::size_t Texels::byte_count() const {
   const std::size_t sample = bits8_ ? 1 : bits16_ ? 2 : floats_ ? 4 : 0;
   return pixel_count() * std::size_t(channels_) * sample;
+}
+
+EmissionPicture Texels::colors() const {
+  EmissionPicture view;
+  view.floats = floats_;
+  view.bits8 = bits8_;
+  view.bits16 = bits16_;
+  view.table = bits8_ ? color8_ : color16_;
+  view.grey_channels = channels_ < 3 ? std::size_t(channels_) : 0;
+  return view;
+}
+
+Vec3f Texels::largest_rgb() const {
+  // Tables rise, so the largest sample has the largest value.
+  const std::size_t stride = std::size_t(channels_), count = pixel_count() * stride;
+  const auto largest_of = [&](const auto* samples, const auto& value_of) {
+    auto red = std::remove_cvref_t<decltype(*samples)>(0), green = red, blue = red;
+    const std::size_t second = stride >= 3 ? 1 : 0, third = stride >= 3 ? 2 : 0;
+    for (std::size_t i = 0; i < count; i += stride) {
+      // Not a number is no larger than anything.
+      red = samples[i] > red ? samples[i] : red;
+      green = samples[i + second] > green ? samples[i + second] : green;
+      blue = samples[i + third] > blue ? samples[i + third] : blue;
+    }
+    return Vec3f(value_of(red), value_of(green), value_of(blue));
+  };
+  if (bits8_) return largest_of(bits8_, [&](std::uint8_t v) { return color8_[v]; });
+  if (bits16_) return largest_of(bits16_, [&](std::uint16_t v) { return color16_[v]; });
+  return largest_of(floats_, [](float v) { return v; });
 }
 
 Image Texels::to_image() const {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "openltc/image/image.h"
+#include "openltc/target/resources.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,8 @@ public:
   /// width x height pixels of `channels` (1 to 4, as above) integer samples, rows interleaved, top
   /// row first, largest value = 1. `is_srgb`: colours, but not alpha, are decoded from sRGB.
   Texels(int width, int height, int channels, std::vector<std::uint8_t> samples, bool is_srgb);
+  Texels(int width, int height, int channels, std::shared_ptr<const std::uint8_t> samples,
+         bool is_srgb);
   Texels(int width, int height, int channels, std::vector<std::uint16_t> samples, bool is_srgb);
 
   bool empty() const { return width == 0 || height == 0; }
@@ -53,6 +56,15 @@ public:
     const Vec4f p = rgba(x, y);
     return {p.x, p.y, p.z};
   }
+
+  /// The largest value of each colour, 0 where none is positive.
+  Vec3f largest_rgb() const;
+
+  /// The samples, for whoever reads colours without alpha from place to place; they live as long as
+  /// any copy of these texels. `channels` of a pixel is 3 or 4, and grey looks like three.
+  EmissionPicture colors() const;
+  int color_channels() const { return channels_ < 3 ? 3 : channels_; }
+  int channels() const { return channels_; }
 
   /// All pixels as floats, 3 channels where all of it is opaque by its format, else 4.
   Image to_image() const;

@@ -37,12 +37,13 @@ Result<Samples> decode_webp(std::span<const std::uint8_t> bytes, const std::stri
   samples.width = features.width;
   samples.height = features.height;
   samples.channels = features.has_alpha ? 4 : 3;
-  samples.bits8.resize(std::size_t(samples.width) * std::size_t(samples.height) *
-                       std::size_t(samples.channels));
+  const std::shared_ptr<std::uint8_t> pixels = new_bytes(samples.count());
+  if (!pixels) return Error{fmt::format("{}: not enough memory for the picture", name)};
   const auto decode = features.has_alpha ? WebPDecodeRGBAInto : WebPDecodeRGBInto;
-  if (!decode(bytes.data(), bytes.size(), samples.bits8.data(), samples.bits8.size(),
+  if (!decode(bytes.data(), bytes.size(), pixels.get(), samples.count(),
               samples.width * samples.channels))
     return Error{fmt::format("{}: a damaged WebP file, or one cut short", name)};
+  samples.bits8 = pixels;
   return samples;
 }
 

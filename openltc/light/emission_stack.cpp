@@ -18,6 +18,7 @@
 #include "openltc/image/file.h"
 #include "openltc/light/curved.h"
 #include "openltc/light/emitter.h"
+#include "openltc/light/picture_part.h"
 #include "openltc/light/polygon.h"
 
 #include <algorithm>
@@ -33,6 +34,8 @@ namespace {
 constexpr int k_min_side = 32;
 // Lines along which a texel's cover is measured.
 constexpr int k_lines_per_row = 4;
+// What a texel of the finest level takes: with all levels and its cell; while they are made.
+constexpr std::uint64_t k_texel_bytes = 26, k_working_bytes = 56;
 
 void copy3(float* out, Vec3d v) {
   out[0] = float(v.x);
@@ -106,64 +109,17 @@ bool make_frame(const Emitter& light, Vec3d origin, Vec3d normal, PlaneFrame& fr
   return true;
 }
 
-Vec3f sane_pixel(const image::Image& from, int x, int y) {
-  const Vec3f value = from.rgb(x, y);
-  return {sane(value.x), sane(value.y), sane(value.z)};
-}
-
-// Mean of the pixels, sane, that fall into each of columns x rows equal parts, along one axis at a
-// time.
-image::Image reduced(const image::Image& from, int columns, int rows) {
-  image::Image wide(columns, from.height, 3), result(columns, rows, 3);
-  const auto gather = [](int from_size, int to_size, auto&& add) {
-    const double scale = double(from_size) / to_size;
-    for (int i = 0; i < to_size; ++i) {
-      const double lower = i * scale, upper = (i + 1) * scale;
-      const int last = std::min(int(std::ceil(upper)), from_size);
-      for (int k = int(lower); k < last; ++k)
-        add(i, k, float((std::min(upper, k + 1.0) - std::max(lower, double(k))) / scale));
-    }
-  };
-  // Row by row, as the picture lies in memory: it may be hundreds of megabytes, and many lights may
-  // show it.
-  for (int y = 0; y < from.height; ++y)
-    gather(from.width, columns, [&](int i, int k, float weight) {
-      const Vec3f value = sane_pixel(from, k, y);
-      float* const to = wide.pixel(i, y);
-      to[0] += weight * value.x;
-      to[1] += weight * value.y;
-      to[2] += weight * value.z;
-    });
-  gather(from.height, rows, [&](int i, int k, float weight) {
-    for (int x = 0; x < columns; ++x)
-      for (int c = 0; c < 3; ++c)
-        result.pixel(x, i)[c] += weight * wide.pixel(x, k)[c];
-  });
-  return result;
-}
-
 image::Image sane_rgb(const image::Image& from) {
   image::Image result(from.width, from.height, 3);
   for (int y = 0; y < from.height; ++y)
     for (int x = 0; x < from.width; ++x) {
-      const Vec3f value = sane_pixel(from, x, y);
+      const Vec3f value = from.rgb(x, y);
       float* to = result.pixel(x, y);
-      to[0] = value.x;
-      to[1] = value.y;
-      to[2] = value.z;
+      to[0] = sane(value.x);
+      to[1] = sane(value.y);
+      to[2] = sane(value.z);
     }
   return result;
-}
-
-Vec3f bilinear(const image::Image& image, double u, double v) {
-  const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0);
-  const double y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
-  const int x0 = int(x), y0 = int(y);
-  const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
-  const float fx = float(x - x0), fy = float(y - y0);
-  const Vec3f a = image.rgb(x0, y0) * (1 - fx) + image.rgb(x1, y0) * fx;
-  const Vec3f b = image.rgb(x0, y1) * (1 - fx) + image.rgb(x1, y1) * fx;
-  return a * (1 - fy) + b * fy;
 }
 
 int power_of_two_at_least(double x) {
@@ -248,7 +204,7 @@ std::vector<float> mean_of(const Level& level) {
 }
 
 template <class Outline>
-Result<EmissionStack> build(const image::Image& source, const Emitter& light,
+Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
                             const PlaneFrame& frame, const Outline& outline, const Box& box,
                             const EmissionStackOptions& options) {
   const Vec2d size = box.upper - box.lower;
@@ -267,10 +223,11 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
   copy3(view.picture_v, v_gradient);
   view.extent[0] = float(size.x);
   view.extent[1] = float(size.y);
-  view.picture = source.data.data();
+  stack.picture = source;
+  view.picture = source.colors();
   view.picture_columns = source.width;
   view.picture_rows = source.height;
-  view.picture_channels = source.channels;
+  view.picture_channels = source.color_channels();
 
   // As many texels as the picture has pixels across the light, but no more than allowed.
   const auto pixels_along = [&](Vec3d axis, double extent) {
@@ -286,23 +243,36 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
               {}};
   // A picture too fine for that is reduced by the same factor first.
   const double excess_u = wanted_columns / level.columns, excess_v = wanted_rows / level.rows;
-  image::Image picture;
-  if (excess_u > 1 || excess_v > 1) {
-    const auto fewer = [](int pixels, double excess) {
-      return std::clamp(int(std::ceil(pixels / std::max(excess, 1.0))), 1, pixels);
-    };
-    picture = reduced(source, fewer(source.width, excess_u), fewer(source.height, excess_v));
-  } else {
-    picture = sane_rgb(source);
-  }
+  const auto fewer = [](int pixels, double excess) {
+    return std::clamp(int(std::ceil(pixels / std::max(excess, 1.0))), 1, pixels);
+  };
+  const std::string name = light.name.empty() ? "a light" : light.name;
+  MemoryShare working;
+  const std::uint64_t texels = std::uint64_t(level.columns) * std::uint64_t(level.rows);
+  if (Status ok = stack.memory.take(texels * k_texel_bytes, name + ": its filtered picture"); !ok)
+    return ok.error();
+  if (Status ok = working.take(texels * k_working_bytes, name + ": its picture's filter"); !ok)
+    return ok.error();
+  const auto place_of = [&](int x, int y) {
+    const Vec3d p = box_corner + frame.u * ((x + 0.5) / level.columns * size.x) +
+                    frame.v * ((y + 0.5) / level.rows * size.y) - to_double(light.texture_corner);
+    return Vec2d(dot(p, u_gradient), dot(p, v_gradient));
+  };
+  Box shown;
+  for (const int x : {0, level.columns - 1})
+    for (const int y : {0, level.rows - 1})
+      shown.add(place_of(x, y));
+  const Result<PicturePart> picture =
+      reduced_part(source, fewer(source.width, excess_u), fewer(source.height, excess_v),
+                   {shown.lower.x, shown.lower.y, shown.upper.x, shown.upper.y}, name);
+  if (!picture) return picture.error();
 
   const std::vector<float> cover = coverage(outline, box, level.columns, level.rows);
   level.texels.resize(cover.size() * 4);
   for (int y = 0; y < level.rows; ++y)
     for (int x = 0; x < level.columns; ++x) {
-      const Vec3d p = box_corner + frame.u * ((x + 0.5) / level.columns * size.x) +
-                      frame.v * ((y + 0.5) / level.rows * size.y) - to_double(light.texture_corner);
-      const Vec3f value = bilinear(picture, dot(p, u_gradient), dot(p, v_gradient));
+      const Vec2d place = place_of(x, y);
+      const Vec3f value = picture->bilinear(place.x, place.y);
       const std::size_t i = std::size_t(y) * std::size_t(level.columns) + std::size_t(x);
       float* texel = level.texels.data() + 4 * i;
       texel[0] = value.x * cover[i];
@@ -337,9 +307,8 @@ Result<EmissionStack> build(const image::Image& source, const Emitter& light,
   return stack;
 }
 
-Status check_picture(const image::Image& picture, const Emitter& light) {
-  if (picture.empty() || picture.channels < 3)
-    return wrong_light(light.name, "its emission picture is empty or has no colours");
+Status check_picture(const image::Texels& picture, const Emitter& light) {
+  if (picture.empty()) return wrong_light(light.name, "its emission picture is empty");
   const float v2 = dot(light.texture_v, light.texture_v);
   const float u2 = dot(light.texture_u, light.texture_u);
   if (!(u2 > 0) || !(v2 > 0) || !std::isfinite(u2) || !std::isfinite(v2) ||
@@ -403,7 +372,7 @@ void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) 
 }
 
 template <class Light>
-Vec3f picture_mean(const Light& light, const std::vector<image::Image>& textures) {
+Vec3f picture_mean(const Light& light, const std::vector<image::Texels>& textures) {
   if (light.texture < 0 || std::size_t(light.texture) >= textures.size()) return Vec3f(1.0f);
   const auto stack = build_emission_stack(textures[std::size_t(light.texture)], light, {256});
   return stack.ok() ? stack->mean : Vec3f(1.0f);
@@ -411,7 +380,7 @@ Vec3f picture_mean(const Light& light, const std::vector<image::Image>& textures
 
 } // namespace
 
-Result<EmissionStack> build_emission_stack(const image::Image& picture, const PolygonLight& light,
+Result<EmissionStack> build_emission_stack(const image::Texels& picture, const PolygonLight& light,
                                            const EmissionStackOptions& options) {
   if (Status status = validate(light); !status.ok()) return status.error();
   if (Status status = check_picture(picture, light); !status.ok()) return status.error();
@@ -423,7 +392,7 @@ Result<EmissionStack> build_emission_stack(const image::Image& picture, const Po
   return build(picture, light, frame, outline, box, options);
 }
 
-Result<EmissionStack> build_emission_stack(const image::Image& picture, const EllipseLight& light,
+Result<EmissionStack> build_emission_stack(const image::Texels& picture, const EllipseLight& light,
                                            const EmissionStackOptions& options) {
   if (Status status = validate(light); !status.ok()) return status.error();
   if (Status status = check_picture(picture, light); !status.ok()) return status.error();
@@ -435,11 +404,11 @@ Result<EmissionStack> build_emission_stack(const image::Image& picture, const El
   return build(picture, light, frame, outline, box, options);
 }
 
-Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Image>& textures) {
+Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Texels>& textures) {
   return picture_mean(light, textures);
 }
 
-Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Image>& textures) {
+Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Texels>& textures) {
   return picture_mean(light, textures);
 }
 

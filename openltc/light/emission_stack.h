@@ -11,8 +11,9 @@
 
 #pragma once
 
+#include "openltc/base/memory_budget.h"
 #include "openltc/base/result.h"
-#include "openltc/image/image.h"
+#include "openltc/image/texels.h"
 #include "openltc/light/emission_cells.h"
 #include "openltc/light/light.h"
 #include "openltc/target/resources.h"
@@ -35,7 +36,9 @@ struct EmissionStack {
   std::vector<std::int32_t> levels;
   EmissionCells cells;
   EmissionTextureView view; ///< points into the vectors above and to the picture
+  image::Texels picture;    ///< shares its samples, so that they outlive the view
   Vec3f mean{0, 0, 0};      ///< of the picture over the light
+  MemoryShare memory;       ///< what the vectors take
 
   EmissionStack() = default;
   EmissionStack(EmissionStack&&) = default;
@@ -43,19 +46,18 @@ struct EmissionStack {
 };
 
 /// Filters `picture`, one of Lights::textures, for a light that has it as its emission; the light's
-/// radiance is not part of it. Values that are negative or not a number count as 0. The picture
-/// must outlive the view.
+/// radiance is not part of it. Values that are negative or not a number count as 0.
 /// The error names the light: an empty picture, texture axes of no length or along its normal, an
-/// outline of no extent.
-Result<EmissionStack> build_emission_stack(const image::Image& picture, const PolygonLight& light,
+/// outline of no extent, or no memory left in memory_budget().
+Result<EmissionStack> build_emission_stack(const image::Texels& picture, const PolygonLight& light,
                                            const EmissionStackOptions& options = {});
-Result<EmissionStack> build_emission_stack(const image::Image& picture, const EllipseLight& light,
+Result<EmissionStack> build_emission_stack(const image::Texels& picture, const EllipseLight& light,
                                            const EmissionStackOptions& options = {});
 
 /// Mean of a light's picture over the light, by which its flux is that of a white one: (1, 1, 1)
 /// when it has none, or one that cannot be its picture.
-Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Image>& textures);
-Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Image>& textures);
+Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Texels>& textures);
+Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Texels>& textures);
 
 /// Gives a light a picture: its corners are those of the light's bounding rectangle, its u axis
 /// runs along `u_axis` (world space, made perpendicular to the normal), and it is upright for who

@@ -8,7 +8,7 @@
 
 #pragma once
 
-#include "openltc/image/image.h"
+#include "openltc/image/texels.h"
 #include "openltc/target/vec.h"
 
 #include <cstddef>
@@ -122,7 +122,7 @@ struct Lights {
   std::vector<TubeLight> tubes;
   std::vector<LineLight> lines;
   std::vector<PunctualLight> punctual;
-  std::vector<image::Image> textures; ///< linear Rec.709, 3 channels or more, row 0 at the top
+  std::vector<image::Texels> textures; ///< linear Rec.709, row 0 at the top
 
   /// Calls visit with every light that has an extent, shape by shape.
   template <class Visit> void for_each_area_light(const Visit& visit) const {

@@ -8,7 +8,9 @@
 #include "openltc/light/ies.h"
 #include "openltc/light/polygon.h"
 
+#include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace openltc::render {
 
@@ -95,17 +97,19 @@ void pack_emission(const Light& light, const light::Lights& lights, int side, Ar
   }
 }
 
-Vec3f largest_values(const image::Image& picture) {
-  Vec3f largest(0.0f);
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const Vec3f value = picture.rgb(x, y);
-      if (value.x > largest.x) largest.x = value.x;
-      if (value.y > largest.y) largest.y = value.y;
-      if (value.z > largest.z) largest.z = value.z;
-    }
-  return largest;
-}
+// The largest values of pictures, each looked for once however many lights show it.
+class LargestValues {
+public:
+  Vec3f of(const std::vector<image::Texels>& textures, int texture) {
+    known_.resize(textures.size());
+    std::optional<Vec3f>& largest = known_[std::size_t(texture)];
+    if (!largest) largest = textures[std::size_t(texture)].largest_rgb();
+    return *largest;
+  }
+
+private:
+  std::vector<std::optional<Vec3f>> known_;
+};
 
 } // namespace
 
@@ -113,6 +117,7 @@ LightSet pack_lights(const light::Lights& lights) {
   LightSet set;
   set.packed.reserve(lights.polygons.size());
   const int side = emission_side(lights);
+  LargestValues largest;
   lights.for_each_area_light([&](const auto& light) {
     if (const Status valid = light::validate(light); !valid.ok()) {
       set.warnings.push_back(valid.error().message + "; it is left out");
@@ -128,8 +133,8 @@ LightSet pack_lights(const light::Lights& lights) {
     set.area_lights.push_back(view);
     TreeLight in_tree = tree_light(light);
     if (view.emission.texels)
-      in_tree = textured(in_tree, largest_values(lights.textures[std::size_t(light.texture)]),
-                         set.emissions.back().mean);
+      in_tree =
+          textured(in_tree, largest.of(lights.textures, light.texture), set.emissions.back().mean);
     set.tree_lights.push_back(in_tree);
   });
   for (const light::PunctualLight& light : lights.punctual) {

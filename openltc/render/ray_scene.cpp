@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <mutex>
 
 namespace openltc::render {
 
@@ -78,16 +79,24 @@ void occluded_filter(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
+// The process's Embree, null where it cannot start. It is never ended: where memory is short,
+// Embree 3 waits for its threads for ever.
+RTCDevice embree_device() {
+  static std::mutex mutex;
+  static RTCDevice device = nullptr;
+  const std::lock_guard lock(mutex);
+  if (!device) device = rtcNewDevice(nullptr);
+  return device;
+}
+
 } // namespace
 
 struct RayScene::State {
-  RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::vector<MeshUserData> user_data;
 
   ~State() {
     if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
   }
 };
 
@@ -102,11 +111,12 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
   const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
   if (!has_address_space((std::uint64_t(64) << 20) + threads * (std::uint64_t(16) << 20)))
     return Error{"not enough memory to start Embree; raise the limit (ulimit -v)"};
-  state.device = rtcNewDevice(nullptr);
-  if (!state.device)
+  const RTCDevice device = embree_device();
+  if (!device)
     return Error{fmt::format("Embree cannot start on this machine (error {})",
                              int(rtcGetDeviceError(nullptr)))};
-  state.scene = rtcNewScene(state.device);
+  rtcGetDeviceError(device); // forgets an earlier scene's
+  state.scene = rtcNewScene(device);
   rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_ROBUST);
   // High quality may split a triangle in two and then call the filter for each part, which is no
   // matter to an alpha test but would dim a shadow ray twice.
@@ -117,7 +127,7 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
   state.user_data.reserve(scene.meshes.size());
   for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
     const scene::Mesh& mesh = scene.meshes[m];
-    RTCGeometry geometry = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     void* vertices =
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 sizeof(Vec3f), std::max<std::size_t>(mesh.positions.size(), 1));
@@ -149,7 +159,7 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
   // and does not notice; only there coincident surfaces may differ from run to run.)
   tbb::task_arena one_thread(1);
   one_thread.execute([&] { rtcCommitScene(state.scene); });
-  const RTCError error = rtcGetDeviceError(state.device);
+  const RTCError error = rtcGetDeviceError(device);
   if (error != RTC_ERROR_NONE)
     return Error{fmt::format("Embree cannot build the scene (error {})", int(error))};
   return result;

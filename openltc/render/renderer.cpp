@@ -125,6 +125,7 @@ public:
         out[0] = float(mean.x + areas.x);
         out[1] = float(mean.y + areas.y);
         out[2] = float(mean.z + areas.z);
+        if (picture.standard_error.data.empty()) continue;
         float* e = picture.standard_error.pixel(x0_ + column, y0_ + row);
         e[0] = error(mean.x, sum2[i].x);
         e[1] = error(mean.y, sum2[i].y);
@@ -333,7 +334,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   Picture picture;
   picture.light_error_nits = job.error_scale.light_error * job.error_scale.view_nits;
   picture.radiance = image::Image(options.width, options.height, 3);
-  picture.standard_error = image::Image(options.width, options.height, 3);
+  if (reference && options.samples > 1)
+    picture.standard_error = image::Image(options.width, options.height, 3);
   picture.kernel = kernel.name;
   picture.warnings = lights.warnings;
   picture.build_seconds = seconds_since(build_start);

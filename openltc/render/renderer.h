@@ -59,9 +59,9 @@ struct LobeSource {
 
 struct Picture {
   image::Image radiance; ///< scene-linear, in the scene's units (nits)
-  /// Reference: standard error of each pixel's mean, per channel, from the variance of its camera
-  /// samples; these are stratified, so it is an upper estimate. Means nothing for one sample, and
-  /// for the LTC integrator, whose shadow ratio is no mean.
+  /// Reference of several samples: standard error of each pixel's mean, per channel, from the
+  /// variance of its camera samples; these are stratified, so it is an upper estimate. Else empty:
+  /// the LTC integrator's shadow ratio is no mean.
   image::Image standard_error;
   /// LTC: the largest error in nits that light_error allowed anywhere; 0 where every light shaded
   /// every point. Where shadow ratios are 1 or 0 no pixel is further from such a picture, but for

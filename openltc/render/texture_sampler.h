@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/image/mip_levels.h"
 #include "openltc/scene/scene.h"
 
 #include <memory>
@@ -12,26 +13,24 @@
 
 namespace openltc::render {
 
-/// The smaller copies of a picture, each half as wide and high, down to one texel.
-using MipLevels = std::vector<image::Image>;
-
 /// A texture and its smaller copies.
 class MipTexture {
 public:
   /// `smaller` are those of another texture of the same picture; without them they are made.
-  explicit MipTexture(const scene::Texture& texture, std::shared_ptr<const MipLevels> smaller = {});
+  explicit MipTexture(const scene::Texture& texture,
+                      std::shared_ptr<const image::MipLevels> smaller = {});
 
   /// Trilinear look-up at uv with a footprint of `width` in units of uv (0 = sharpest).
   Vec4f sample(Vec2f uv, float width) const;
 
-  const std::shared_ptr<const MipLevels>& smaller() const { return smaller_; }
+  const std::shared_ptr<const image::MipLevels>& smaller() const { return smaller_; }
 
 private:
   template <class Level> Vec4f bilinear(const Level& level, Vec2f uv) const;
   Vec4f look_up(int level, Vec2f uv) const;
 
   const scene::Texture* texture_;
-  std::shared_ptr<const MipLevels> smaller_;
+  std::shared_ptr<const image::MipLevels> smaller_;
 };
 
 /// All textures of a scene; the scene outlives it.

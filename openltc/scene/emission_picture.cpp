@@ -6,14 +6,18 @@
 // lies within, because the light's outline cuts it off once more; one beside the part has its
 // neighbour's value, for interpolation.
 
+#include "openltc/base/quote.h"
 #include "openltc/light/emission_stack.h"
 #include "openltc/scene/emissive_texture.h"
 #include "openltc/scene/surface_emission.h"
 #include "openltc/scene/triangle_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 namespace openltc::scene {
 
@@ -105,9 +109,10 @@ void fill_gaps(image::Image& picture, const std::vector<bool>& is_known) {
 
 } // namespace
 
-image::Image SurfaceEmission::picture_of(const FlatPart& part, const Mesh& mesh,
-                                         const Extent& extent, light::PolygonLight& light,
-                                         int most_side, bool is_cutout) const {
+Result<image::Image> SurfaceEmission::picture_of(const FlatPart& part, const Mesh& mesh,
+                                                 const Extent& extent, light::PolygonLight& light,
+                                                 int most_side, bool is_cutout,
+                                                 MemoryShare& memory) const {
   const std::vector<Patch> patches = patches_of(part, mesh, extent);
   PictureFrame frame;
   // Along a texture's own texels where that is possible.
@@ -165,7 +170,13 @@ image::Image SurfaceEmission::picture_of(const FlatPart& part, const Mesh& mesh,
   light.texture = 0;
 
   const std::size_t width = std::size_t(frame.width);
-  std::vector<Pixel> pixels(width * std::size_t(frame.height));
+  const std::size_t count = width * std::size_t(frame.height);
+  const std::string what = fmt::format("mesh \"{}\": the picture of its light, {}x{} pixels",
+                                       quote(mesh.name), frame.width, frame.height);
+  if (Status ok = memory.take(count * 3 * sizeof(float), what); !ok) return ok.error();
+  MemoryShare drawing(memory.budget());
+  if (Status ok = drawing.take(count * (sizeof(Pixel) + 1), what); !ok) return ok.error();
+  std::vector<Pixel> pixels(count);
   const int across = pixels.size() > k_large_picture ? 2 : 4;
   const std::uint16_t all = std::uint16_t((1u << (across * across)) - 1u);
   for (std::size_t i = 0; i < part.triangles.size(); ++i) {

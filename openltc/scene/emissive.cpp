@@ -117,7 +117,7 @@ private:
       if (!emission_.is_cut()) return false;
       const int side = picture_side();
       if (side < k_least_picture_side) return false;
-      draw(part, light, side, false);
+      if (!draw(part, light, side, false)) return false;
     }
     keep(std::move(light), part);
     return true;
@@ -141,16 +141,24 @@ private:
                        corner(lower.x, upper.y)};
     light::PolygonLight light = polygon_of(part, {ring}, extent_);
     light.radiance = material_.emission;
-    draw(part, light, std::min(std::max(picture_side(), k_least_picture_side), k_tangle_side),
-         true);
+    const int side = std::min(std::max(picture_side(), k_least_picture_side), k_tangle_side);
+    if (!draw(part, light, side, true)) return;
     result_.is_tangled = true;
     keep(std::move(light), part);
   }
 
-  void draw(const FlatPart& part, light::PolygonLight& light, int side, bool is_cutout) {
-    result_.pictures.push_back(emission_.picture_of(part, mesh_, extent_, light, side, is_cutout));
+  // False when there is no memory for it.
+  bool draw(const FlatPart& part, light::PolygonLight& light, int side, bool is_cutout) {
+    Result<image::Image> picture =
+        emission_.picture_of(part, mesh_, extent_, light, side, is_cutout, result_.memory);
+    if (!picture) {
+      if (result_.refusal.empty()) result_.refusal = picture.error().message;
+      return false;
+    }
+    pixels_left_ -= double(picture->pixel_count());
+    result_.pictures.emplace_back(std::move(*picture));
     light.texture = int(textures_.size() + result_.pictures.size() - 1);
-    pixels_left_ -= double(result_.pictures.back().pixel_count());
+    return true;
   }
 
   // What the next plane may have, if those to come shall have as much.
@@ -229,6 +237,9 @@ std::vector<light::Lights> find_emissive_lights(Scene& scene, const EmissiveOpti
     if (!mesh.emits_light) continue;
     EmissiveLights found =
         emissive_lights(mesh, scene.materials[std::size_t(mesh.material)], scene.textures, left);
+    if (!found.refusal.empty())
+      warnings.add(found.refusal + "; its light is averaged, or missing where facets overlap");
+    scene.memory->take_over(std::move(found.memory));
     if (found.is_texture_averaged)
       warnings.add_for_mesh(mesh.name,
                             "the emission texture is averaged for the light that it gives "
@@ -247,7 +258,7 @@ std::vector<light::Lights> find_emissive_lights(Scene& scene, const EmissiveOpti
                       found.lights.polygons.size(),
                       options.recognise_shapes ? "" : ", or recognising round shapes"));
     const int textures = int(scene.textures.size()), first = int(scene.lights.textures.size());
-    for (image::Image& picture : found.pictures) {
+    for (image::Texels& picture : found.pictures) {
       left.most_picture_pixels -= std::min(left.most_picture_pixels, picture.pixel_count());
       scene.lights.textures.push_back(std::move(picture));
     }

@@ -46,10 +46,14 @@ struct EmissiveOptions {
 struct EmissiveLights {
   light::Lights lights;
   /// What lights have whose `texture` is not below textures.size(): pictures[texture - that size].
-  std::vector<image::Image> pictures;
+  std::vector<image::Texels> pictures;
   bool is_texture_averaged = false; ///< its emission texture is neither uniform nor a picture
   bool is_tangled = false;          ///< facets overlap so often that a picture stands for them
   std::size_t triangles_without_area = 0; ///< left out
+  MemoryShare memory;                     ///< what the pictures take
+  /// Why a picture was not made, empty = none was refused: memory_budget() had no room. Its light
+  /// is averaged, or left out where facets overlap.
+  std::string refusal;
 };
 
 /// The lights of `mesh`: one polygon for each plane in which emissive triangles lie, with as many
@@ -66,7 +70,7 @@ EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
                                const EmissiveOptions& options = {});
 
 /// The lights of each mesh of `scene`, as many as it has meshes; none of those that are not to
-/// emit. Their pictures go to scene.lights.textures.
+/// emit. Their pictures go to scene.lights.textures and are counted in scene.memory.
 std::vector<light::Lights> find_emissive_lights(Scene& scene, const EmissiveOptions& options,
                                                 Warnings& warnings);
 

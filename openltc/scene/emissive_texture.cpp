@@ -122,7 +122,7 @@ int share_emission_texture(Scene& scene, int texture, std::vector<int>& known) {
   int& index = known[std::size_t(texture)];
   if (index < 0) {
     index = int(scene.lights.textures.size());
-    scene.lights.textures.push_back(scene.textures[std::size_t(texture)].image.to_image());
+    scene.lights.textures.push_back(scene.textures[std::size_t(texture)].image);
   }
   return index;
 }

@@ -25,8 +25,8 @@ bool place_texture(const Mesh& mesh, const TextureRef& ref, int width, int heigh
                    Wrap wrap_v, std::span<const std::uint32_t> triangles,
                    light::PolygonLight& light);
 
-/// Index into scene.lights.textures of scene.textures[texture], which is copied there when it is
-/// not yet in `known`: for each of scene.textures its index there or -1.
+/// Index into scene.lights.textures of scene.textures[texture], which is put there, sharing its
+/// samples, when it is not yet in `known`: for each of scene.textures its index there or -1.
 int share_emission_texture(Scene& scene, int texture, std::vector<int>& known);
 
 } // namespace openltc::scene

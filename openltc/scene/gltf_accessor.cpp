@@ -8,6 +8,7 @@
 
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_memory.h"
 
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
@@ -158,6 +159,14 @@ void check_count(const Document& document, int index, std::size_t element_size) 
 
 std::string accessor_field(int index) { return fmt::format("accessors[{}]", index); }
 
+std::size_t accessor_count(const Document& document, int index) {
+  const tinygltf::Accessor& accessor = document.model->accessors[std::size_t(index)];
+  const int components = tinygltf::GetNumComponentsInType(std::uint32_t(accessor.type));
+  if (components < 1) return 0;
+  check_count(document, index, component_size(accessor.componentType) * std::size_t(components));
+  return accessor.count;
+}
+
 Floats read_floats(const Document& document, int index) {
   return read_floats(document, index, 0, document.model->accessors[std::size_t(index)].count);
 }
@@ -173,6 +182,8 @@ Floats read_floats(const Document& document, int index, std::size_t first, std::
   result.components = std::size_t(components);
   result.count = count;
   check_count(document, index, size * result.components);
+  take_memory(result.memory, saturating_product(result.count, result.components * sizeof(float)),
+              accessor_field(index));
   result.values.resize(result.count * result.components);
   visit_elements(document, index, size * result.components, first, first + count,
                  [&](std::size_t element, const std::uint8_t* bytes) {
@@ -190,6 +201,8 @@ std::vector<std::array<float, 16>> read_matrices(const Document& document, int i
     fail(accessor_field(index) + ".type", "must be MAT4 of floats to hold matrices");
   constexpr std::size_t size = 16 * sizeof(float);
   check_count(document, index, size);
+  MemoryShare memory;
+  take_memory(memory, saturating_product(accessor.count, size), accessor_field(index));
   std::vector<std::array<float, 16>> matrices(accessor.count);
   visit_elements(document, index, size, 0, accessor.count,
                  [&](std::size_t element, const std::uint8_t* bytes) {
@@ -210,6 +223,9 @@ std::vector<std::uint32_t> read_indices(const Document& document, int index) {
          fmt::format("{} cannot be used as indices; it must be 5121, 5123 or 5125", type));
   const std::size_t size = component_size(type);
   check_count(document, index, size);
+  MemoryShare memory;
+  take_memory(memory, saturating_product(accessor.count, sizeof(std::uint32_t)),
+              accessor_field(index));
   std::vector<std::uint32_t> indices(accessor.count);
   visit_elements(document, index, size, 0, accessor.count,
                  [&](std::size_t element, const std::uint8_t* bytes) {

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include "openltc/base/memory_budget.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,14 +24,18 @@ struct Floats {
   std::vector<float> values;
   std::size_t components = 0; ///< per element
   std::size_t count = 0;      ///< elements
+  MemoryShare memory;         ///< what the values take
 };
 
-/// Reads accessors[index]. Throws Failure when its data does not lie within its buffer view; checks
-/// that before it allocates.
+/// Reads accessors[index]. Throws Failure when its data does not lie within its buffer view or
+/// memory_budget() has no room; checks that before it allocates.
 Floats read_floats(const Document& document, int index);
 
 /// Elements `first` to `first + count` - 1 of accessors[index] alone, which must lie within it.
 Floats read_floats(const Document& document, int index, std::size_t first, std::size_t count);
+
+/// accessors[index].count. Throws Failure when its view does not hold so many.
+std::size_t accessor_count(const Document& document, int index);
 
 /// Reads accessors[index], MAT4 of floats, 16 numbers each, column by column. Throws Failure as
 /// read_floats does, and when it is of another type.

@@ -306,9 +306,9 @@ private:
     if (known != document_.light_textures.end()) return known->second;
     const auto lost = document_.lost_light_textures.find(key);
     if (lost != document_.lost_light_textures.end()) fail(field, lost->second);
-    Result<image::Image> image = image::read(path);
-    Status status = image ? document_.scene_memory->take(image->data.size() * sizeof(float), path)
-                          : Status(image.error());
+    Result<image::Texels> image = image::read_texels(path);
+    Status status =
+        image ? document_.scene_memory->take(image->byte_count(), path) : Status(image.error());
     if (!status) {
       const std::string reason = quote(status.error().message, 300);
       document_.lost_light_textures[key] = reason;

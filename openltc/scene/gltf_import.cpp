@@ -7,6 +7,7 @@
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_material.h"
+#include "openltc/scene/gltf_memory.h"
 #include "openltc/scene/gltf_node.h"
 
 #include <algorithm>
@@ -36,6 +37,21 @@ bool is_strong(const Document& document, std::size_t material) {
   return material < document.strong_materials.size() && document.strong_materials[material];
 }
 
+// A light of its own with what shading keeps of it, twice: by its mesh and in the scene. What a
+// triangle takes while the lights of its mesh are made: as a welded one, in planes, in outlines.
+constexpr std::uint64_t k_light_bytes = 1024, k_emissive_triangle_bytes = 256;
+
+// Meshes are looked at one after the other.
+std::uint64_t memory_to_make_lights(const Scene& scene) {
+  std::uint64_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    const Vec3f emission = scene.materials[std::size_t(mesh.material)].emission;
+    if (mesh.emits_light && (emission.x > 0 || emission.y > 0 || emission.z > 0))
+      triangles = std::max<std::uint64_t>(triangles, mesh.triangles.size());
+  }
+  return triangles * k_emissive_triangle_bytes;
+}
+
 } // namespace
 
 Imported import_gltf(std::span<const std::uint8_t> bytes, const Folder& folder,
@@ -54,7 +70,13 @@ Imported import_gltf(std::span<const std::uint8_t> bytes, const Folder& folder,
     scene.describes_lights = scene.describes_lights ||
                              (mesh.emits_light && is_strong(document, std::size_t(mesh.material)));
   scene.bounds = bounds_of(scene.meshes);
+  MemoryShare making_lights;
+  take_memory(making_lights, memory_to_make_lights(scene), "emissive triangles");
   imported.mesh_lights = find_emissive_lights(scene, emissive, document.warnings);
+  std::uint64_t light_bytes = 0;
+  for (const light::Lights& lights : imported.mesh_lights)
+    light_bytes += lights.area_light_count() * k_light_bytes;
+  take_memory(*scene.memory, light_bytes, "lights of emissive triangles");
   for (const light::Lights& lights : imported.mesh_lights)
     append_lights(lights, scene.lights);
   scene.warnings = document.warnings.lines();

@@ -6,6 +6,7 @@
 #include "openltc/scene/gltf_accessor.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_memory.h"
 
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
@@ -54,6 +55,8 @@ std::vector<Transform> read_instances(Document& document, std::size_t node) {
     return {Transform{}};
   }
 
+  take_memory(document.memory, saturating_product(count, sizeof(Transform)),
+              fmt::format("{}: {} instances", field, count));
   std::vector<Transform> instances(count);
   const auto vector_of = [](const Floats& floats, std::size_t i, double otherwise) {
     if (floats.count == 0) return Vec3d(otherwise, otherwise, otherwise);

@@ -25,7 +25,8 @@ inline std::uint64_t saturating_product(std::uint64_t a, std::uint64_t b) {
   return b != 0 && a > ~std::uint64_t(0) / b ? ~std::uint64_t(0) : a * b;
 }
 
-/// What a mesh takes: its arrays, and the ray tracer's tree over it, about 128 bytes a triangle.
+/// What a mesh takes: its arrays, and the ray tracer's tree over it, about 128 bytes a triangle and
+/// a kilobyte.
 /// For instances, ask for mesh_memory times their number before the copies are made.
 std::uint64_t mesh_memory(const Mesh& mesh);
 

@@ -402,8 +402,9 @@ private:
 } // namespace
 
 std::uint64_t mesh_memory(const Mesh& mesh) {
-  constexpr std::uint64_t k_triangle_of_tree = 128;
-  return mesh.triangles.size() * (sizeof(mesh.triangles[0]) + k_triangle_of_tree) +
+  constexpr std::uint64_t k_triangle_of_tree = 128, k_geometry = 1024;
+  return sizeof(Mesh) + k_geometry +
+         mesh.triangles.size() * (sizeof(mesh.triangles[0]) + k_triangle_of_tree) +
          mesh.positions.size() * sizeof(Vec3f) + mesh.normals.size() * sizeof(Vec3f) +
          mesh.tangents.size() * sizeof(Vec4f) + mesh.tex_coord_0.size() * sizeof(Vec2f) +
          mesh.tex_coord_1.size() * sizeof(Vec2f) + mesh.colors.size() * sizeof(Vec4f);

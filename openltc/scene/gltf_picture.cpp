@@ -5,6 +5,7 @@
 
 #include "openltc/base/quote.h"
 #include "openltc/image/file.h"
+#include "openltc/image/mip_levels.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_memory.h"
@@ -20,8 +21,6 @@ namespace {
 
 // As for any picture (image::read): 4 channels of 16 bits, uncompressed.
 constexpr std::uint64_t k_largest_file = image::k_max_pixels * 8;
-// Half as wide and high, and so on, 4 floats a pixel: a third of the picture's pixels.
-constexpr std::uint64_t k_smaller_copies = 4 * sizeof(float);
 
 } // namespace
 
@@ -56,9 +55,9 @@ Pictures::Loaded Pictures::read(int index, const std::string& field) const {
     }
     Result<image::Texels> decoded = image::decode_texels(bytes, name, true);
     if (!decoded) throw Failure{decoded.error().message};
-    take_memory(
-        kept_, decoded->byte_count() + decoded->pixel_count() / 3 * k_smaller_copies,
-        fmt::format("{}: a picture of {}x{} pixels", name, decoded->width, decoded->height));
+    loaded.name =
+        fmt::format("{}: a picture of {}x{} pixels", name, decoded->width, decoded->height);
+    take_memory(kept_, decoded->byte_count(), loaded.name);
     loaded.texels = std::move(*decoded);
   } catch (const Failure& failure) {
     loaded.failure = failure.message;
@@ -71,8 +70,13 @@ image::Texels Pictures::load(int index, bool is_color) {
   const std::string key = key_of(index, field);
   auto known = loaded_.find(key);
   if (known == loaded_.end()) known = loaded_.emplace(key, read(index, field)).first;
-  if (!known->second.failure.empty()) throw Failure{known->second.failure};
-  return known->second.texels.taken_as(is_color);
+  Loaded& loaded = known->second;
+  if (!loaded.failure.empty()) throw Failure{loaded.failure};
+  // Colours and data have smaller copies of their own.
+  bool& has_copies = is_color ? loaded.has_color_copies : loaded.has_data_copies;
+  if (!has_copies) take_memory(kept_, image::MipLevels::byte_count(loaded.texels), loaded.name);
+  has_copies = true;
+  return loaded.texels.taken_as(is_color);
 }
 
 } // namespace openltc::scene::gltf

@@ -30,7 +30,9 @@ public:
 private:
   struct Loaded {
     image::Texels texels;
-    std::string failure; ///< empty = there is none
+    std::string failure;                                    ///< empty = there is none
+    std::string name;                                       ///< in messages
+    bool has_color_copies = false, has_data_copies = false; ///< whether those are counted
   };
   std::string key_of(int index, const std::string& field) const;
   Loaded read(int index, const std::string& field) const;

@@ -10,6 +10,7 @@
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_draco.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_memory.h"
 #include "openltc/scene/gltf_morph.h"
 #include "openltc/scene/normals.h"
 #include "openltc/scene/tangents.h"
@@ -69,6 +70,8 @@ public:
       warn("without positions it is left out");
       return result;
     }
+    MemoryShare reading; // whoever keeps the mesh counts it anew
+    take_memory(reading, bytes_to_read(needs, mode), field_);
     read_positions(mesh);
     read_triangles(mesh, mode);
     read_optional(mesh);
@@ -148,6 +151,34 @@ private:
 
   bool has(const std::string& name) const {
     return draco_.attributes.count(name) != 0 || primitive_.attributes.count(name) != 0;
+  }
+
+  // The arrays of the mesh. Without normals each triangle gets corners of its own.
+  std::uint64_t bytes_to_read(const VertexNeeds& needs, int mode) const {
+    const auto count_of = [&](const std::string& name) -> std::size_t {
+      const auto decoded = draco_.attributes.find(name);
+      if (decoded != draco_.attributes.end()) return decoded->second.count;
+      const auto attribute = primitive_.attributes.find(name);
+      return attribute == primitive_.attributes.end()
+                 ? 0
+                 : accessor_count(document_, attribute->second);
+    };
+    std::uint64_t vertex = 2 * sizeof(Vec3f);
+    if (has("TANGENT") || needs.tangent_tex_coord >= 0) vertex += sizeof(Vec4f);
+    if (has("TEXCOORD_0") || needs.tex_coord[0]) vertex += sizeof(Vec2f);
+    if (has("TEXCOORD_1") || needs.tex_coord[1]) vertex += sizeof(Vec2f);
+    if (has("COLOR_0")) vertex += sizeof(Vec4f);
+    std::uint64_t vertices = count_of("POSITION");
+    std::uint64_t corners = vertices;
+    if (is_draco_)
+      corners = 3 * draco_.triangles.size();
+    else if (primitive_.indices >= 0)
+      corners = accessor_count(document_, primitive_.indices);
+    // Strips and fans have a triangle for each corner.
+    const std::uint64_t triangles =
+        mode == TINYGLTF_MODE_TRIANGLES || is_draco_ ? corners / 3 : corners;
+    if (!has("NORMAL")) vertices += 3 * triangles;
+    return saturating_product(vertices, vertex) + saturating_product(triangles, 3 * sizeof(int));
   }
 
   std::string attribute_field(const std::string& name) const {

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "openltc/base/memory_budget.h"
 #include "openltc/light/light.h"
 #include "openltc/scene/flat_part.h"
 #include "openltc/scene/scene.h"
@@ -52,9 +53,11 @@ public:
   /// A picture of the emission of `part`, over material.emission, `most_side` pixels on a side at
   /// most, and its place on `light` but for the index. Along the texels of a texture that lies
   /// evenly, else along the light's longest edge. Where triangles overlap one of them counts. With
-  /// `is_cutout` what is not covered is black: then the light may be larger than the part.
-  image::Image picture_of(const FlatPart& part, const Mesh& mesh, const Extent& extent,
-                          light::PolygonLight& light, int most_side, bool is_cutout) const;
+  /// `is_cutout` what is not covered is black: then the light may be larger than the part. What the
+  /// picture takes is counted in `memory`; an error, which names the mesh, when there is no room.
+  Result<image::Image> picture_of(const FlatPart& part, const Mesh& mesh, const Extent& extent,
+                                  light::PolygonLight& light, int most_side, bool is_cutout,
+                                  MemoryShare& memory) const;
 
 private:
   const Texture* finest() const;

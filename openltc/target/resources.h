@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace openltc {
@@ -60,6 +61,23 @@ struct ProfileView {
   int rows = 0;
 };
 
+/// Linear values of a picture in the precision of its file: exactly one of the three pointers is
+/// set, and `table` with the first two: what each of the 256 or 65536 values stands for. Grey
+/// pictures, of `grey_channels` samples a pixel (grey and alpha; 0 = not grey), are read as if each
+/// pixel had three alike.
+struct EmissionPicture {
+  const float* floats = nullptr;
+  const std::uint8_t* bits8 = nullptr;
+  const std::uint16_t* bits16 = nullptr;
+  const float* table = nullptr;
+  std::size_t grey_channels = 0;
+
+  float operator[](std::size_t i) const {
+    if (grey_channels != 0) i = i / 3 * grey_channels;
+    return bits8 ? table[bits8[i]] : bits16 ? table[bits16[i]] : floats[i];
+  }
+};
+
 /// View of a light's emission picture: prefiltered, as light/emission_stack.h makes it, and as it
 /// is. The stack covers the light's bounding rectangle in its plane.
 struct EmissionTextureView {
@@ -75,9 +93,9 @@ struct EmissionTextureView {
   float axis_v[3] = {0, 1, 0};
   float extent[2] = {1, 1}; ///< their lengths, metres
 
-  /// The picture itself: picture_columns * picture_rows texels of picture_channels floats (3 or
+  /// The picture itself: picture_columns * picture_rows texels of picture_channels values (3 or
   /// more: r g b ...), linear, clamped; what is negative or not a number counts as 0.
-  const float* picture = nullptr;
+  EmissionPicture picture;
   int picture_columns = 0, picture_rows = 0, picture_channels = 3;
   /// Its coordinates at a point p of the light: u = (p - picture_origin) . picture_u, v alike.
   float picture_origin[3] = {0, 0, 0};

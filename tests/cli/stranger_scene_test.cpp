@@ -130,6 +130,94 @@ TEST_CASE("memory_is_limited_by_the_option_in_one_line") {
                         "--memory"));
 }
 
+namespace {
+
+enum class Use { base_color, emission, lamp };
+
+// A floor under a lamp, with a picture from `file` on the floor or on what shines.
+void write_pictured(const std::string& path, Use use, const std::string& file) {
+  GltfBuilder scene = lit_floor();
+  const int texture = scene.add("textures", {{"source", scene.add("images", {{"uri", file}})}});
+  if (use == Use::lamp) {
+    scene = with_light({{"type", "rect"},
+                        {"width", 1},
+                        {"height", 1},
+                        {"luminance_nits", 100},
+                        {"texture", file}});
+  } else {
+    for (json& material : scene.root["materials"]) {
+      if (use == Use::base_color)
+        material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture}};
+      else if (material.contains("emissiveFactor"))
+        material["emissiveTexture"] = {{"index", texture}};
+    }
+    for (json& mesh : scene.root["meshes"])
+      for (json& primitive : mesh["primitives"])
+        primitive["attributes"]["TEXCOORD_0"] =
+            scene.add_accessor(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, "VEC2", 5126, 2);
+  }
+  write_scene(path, scene);
+}
+
+constexpr std::uint64_t k_mib = std::uint64_t(1) << 20;
+
+} // namespace
+
+TEST_CASE("a_picture_takes_little_more_memory_than_its_samples") {
+  // 48 MiB as 8-bit RGB. Nothing of it is left here when the tool starts: what a process had
+  // before it became the tool counts in its peak.
+  const Scene scene;
+  const auto write = [&](const char* name, int side) {
+    std::vector<std::uint8_t> samples(std::size_t(side) * std::size_t(side) * 3);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      samples[i] = std::uint8_t(100 + (i >> 6) % 100); // stripes compress well
+    image::test::write_bytes(scene.folder.file(name),
+                             image::test::make_png(side, side, 2 /* RGB */, 8, samples));
+  };
+  write("large.png", 4096);
+  write("small.png", 4);
+  for (const Use use : {Use::base_color, Use::emission, Use::lamp}) {
+    CAPTURE(int(use));
+    const auto peak_with = [&](const char* picture) {
+      write_pictured(scene.path, use, picture);
+      const Run run = scene.render();
+      CHECK(run.exit_code == 0);
+      CAPTURE(run.err);
+      CHECK(!contains(run.err, "warning"));
+      return run.peak_bytes;
+    };
+    const std::uint64_t small = peak_with("small.png"), large = peak_with("large.png");
+    // Half as much again, and for lights the filtered picture of 1024 x 1024 texels, of 26 bytes
+    // each when it is done and 82 while it is made.
+    const std::uint64_t filtered = use == Use::base_color ? 0 : 82 * k_mib;
+    CHECK(large > small + 40 * k_mib); // it was read
+    CHECK(large < small + 72 * k_mib + filtered);
+  }
+}
+
+TEST_CASE("a_texture_beyond_the_limit_costs_a_warning_that_says_how_much_it_wants") {
+  const Scene scene;
+  image::test::write_bytes(
+      scene.folder.file("large.png"),
+      image::test::make_png(4096, 4096, 2, 8, std::vector<std::uint8_t>(4096 * 4096 * 3, 9)));
+  write_pictured(scene.path, Use::emission, "large.png");
+  const Run run = scene.render({"--memory", "20M"});
+  CHECK(run.exit_code == 0);
+  for (const char* part :
+       {"large.png", "4096x4096 pixels", "asks for 48 MiB", "20 MiB", "--memory"})
+    CHECK(contains(run.err, part));
+}
+
+TEST_CASE("a_picture_to_render_counts_before_the_work") {
+  const Scene scene;
+  write_scene(scene.path, lit_floor());
+  const Run run = run_tool(
+      {"render", scene.path, "--size", "16384x7812", "--quiet", "--memory", "1G", "-o", scene.exr});
+  for (const char* part : {"16384x7812", "--size", "--memory", "1 GiB"})
+    CHECK(fails_naming(run, part));
+  CHECK(!fs::exists(scene.exr));
+}
+
 TEST_CASE("names_cannot_end_a_line_or_steer_the_terminal") {
   const Scene scene;
   const std::string evil = "a\nopenltc render: all is well\x1b[31m" + std::string(100000, 'x');

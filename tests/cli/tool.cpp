@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -68,8 +69,9 @@ Run run_tool(const std::vector<std::string>& arguments, const RunOptions& option
   sigprocmask(SIG_SETMASK, &before, nullptr);
   Run run;
   int status = 0;
+  struct rusage usage = {};
   bool interrupted = false, killed = false;
-  while (waitpid(child, &status, WNOHANG) == 0) {
+  while (wait4(child, &status, WNOHANG, &usage) == 0) {
     if (options.interrupt_after_s > 0 && !interrupted && elapsed() > options.interrupt_after_s) {
       interrupted = true;
       kill(child, options.signal);
@@ -81,6 +83,7 @@ Run run_tool(const std::vector<std::string>& arguments, const RunOptions& option
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   run.seconds = elapsed();
+  run.peak_bytes = std::uint64_t(usage.ru_maxrss) * 1024;
   if (WIFEXITED(status)) run.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) run.ended_by = WTERMSIG(status);
   const auto text = [](const std::string& path) {

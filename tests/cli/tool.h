@@ -21,6 +21,7 @@ struct Run {
   int exit_code = -1; ///< -1 when a signal ended it
   int ended_by = 0;   ///< that signal
   double seconds = 0;
+  std::uint64_t peak_bytes = 0; ///< most memory that was resident, as the system says
   std::string out, err;
 };
 

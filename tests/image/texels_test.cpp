@@ -6,10 +6,12 @@
 #include "make_picture.h"
 #include "openltc/base/regular_file.h"
 #include "openltc/image/file.h"
+#include "openltc/image/mip_levels.h"
 #include "openltc/image/texels.h"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numeric>
 
 using namespace openltc;
@@ -85,5 +87,54 @@ TEST_CASE("decoded_texels_are_those_of_the_float_picture") {
     REQUIRE(texels.ok());
     CHECK(texels->to_image().data == floats->data);
     CHECK(texels->byte_count() * 4 == floats->data.size() * sizeof(float));
+  }
+}
+
+TEST_CASE("smaller_copies_are_means_of_four_whether_kept_or_computed") {
+  struct Size {
+    int width, height;
+  };
+  // The second is larger than what keeps its largest copy; odd sides leave their last pixels out.
+  for (const Size size : {Size{7, 5}, Size{4099, 1025}}) {
+    const int width = size.width, height = size.height;
+    CAPTURE(width);
+    for (const int channels : {1, 3, 4}) {
+      std::vector<std::uint8_t> samples =
+          ramp<std::uint8_t>(std::size_t(width) * std::size_t(height) * std::size_t(channels), 37);
+      const Texels picture(width, height, channels, std::move(samples), true);
+      const image::MipLevels copies(picture);
+      CHECK(copies.count() == int(std::floor(std::log2(width))));
+      // The mean of 4 x 4 pixels, in double.
+      const auto mean = [&](int x, int y, int side) {
+        Vec3d sum{0, 0, 0};
+        for (int j = 0; j < side; ++j)
+          for (int i = 0; i < side; ++i)
+            sum += to_double(picture.rgb(x * side + i, y * side + j));
+        return sum / double(side * side);
+      };
+      for (const int level : {1, 2})
+        copies.look_at(level, [&](const auto& copy) {
+          CHECK(copy.width == width >> level);
+          CHECK(copy.height == height >> level);
+          for (const int x : {0, copy.width / 2, copy.width - 1}) {
+            const Vec4f p = copy.rgba(x, copy.height - 1);
+            const Vec3d expected = mean(x, copy.height - 1, 1 << level);
+            CHECK(double(p.x) == doctest::Approx(expected.x).epsilon(1e-6));
+            CHECK(double(p.z) == doctest::Approx(expected.z).epsilon(1e-6));
+            if (channels == 3) CHECK(p.w == 1.0f);
+          }
+        });
+    }
+  }
+}
+
+TEST_CASE("smaller_copies_of_a_large_picture_take_a_third_of_it") {
+  for (const int channels : {1, 2, 3, 4}) {
+    const Texels picture(
+        4096, 2048, channels,
+        std::vector<std::uint8_t>(std::size_t(4096) * 2048 * std::size_t(channels)), true);
+    // 4 bytes for each sample of 1/16 + 1/64 + ... = 1/12 of the pixels.
+    CHECK(double(image::MipLevels::byte_count(picture)) ==
+          doctest::Approx(double(picture.byte_count()) / 3).epsilon(1e-4));
   }
 }

@@ -136,10 +136,11 @@ TEST_CASE("the mixture of densities is exact for pictures of any kind") {
   for (scene::Material& material : scene.materials)
     material = test::glossy_material({0.8f, 0.8f, 0.8f}, 0.3f, true);
   // Nearly no interpolation: the same picture, each texel 32 times as fine.
+  const image::Image coarse = scene.lights.textures[0].to_image();
   image::Image fine(size * 32, size * 32, 3);
   for (int y = 0; y < fine.height; ++y)
     for (int x = 0; x < fine.width; ++x)
-      std::copy_n(scene.lights.textures[0].pixel(x / 32, y / 32), 3, fine.pixel(x, y));
+      std::copy_n(coarse.pixel(x / 32, y / 32), 3, fine.pixel(x, y));
   scene.lights.textures[0] = fine;
   scene::Scene texels = scene;
   texels.lights = {};

@@ -95,6 +95,31 @@ TEST_CASE("constant_alpha_scales_blended_light_and_decides_over_masked_light") {
   }
 }
 
+TEST_CASE("the_picture_of_a_cut_emitter_counts_before_it_is_drawn") {
+  const scene::Texture texture =
+      alpha_texture(256, 128, true, [](int x, int) { return x % 2 == 0 ? 1.0f : 0.0f; });
+  scene::Material material = glowing(scene::AlphaMode::mask);
+  material.base_color_texture.texture = 0;
+  const std::uint64_t before = memory_budget().in_use();
+  {
+    const auto found = scene::emissive_lights(upright(), material, {texture});
+    REQUIRE(found.pictures.size() == 1);
+    // A pixel for each texel, three floats each.
+    CHECK(memory_budget().in_use() - before == 256 * 128 * 12);
+    CHECK(found.refusal.empty());
+  }
+  CHECK(memory_budget().in_use() == before);
+  // Without room the light has the mean: half of the texels.
+  const std::uint64_t limit = memory_budget().limit();
+  memory_budget().set_limit(before + 100000);
+  const auto found = scene::emissive_lights(upright(), material, {texture});
+  memory_budget().set_limit(limit);
+  CHECK(found.pictures.empty());
+  CHECK(found.refusal.find("256x128 pixels: asks for 384 KiB") != std::string::npos);
+  CHECK(found.refusal.find("--memory") != std::string::npos);
+  CHECK(flux(found, 1) == doctest::Approx(k_pi * 100 * 2 * 0.5));
+}
+
 TEST_CASE("a_masked_texture_leaves_its_open_texels") {
   std::mt19937 random(3);
   int open = 0;
@@ -112,7 +137,7 @@ TEST_CASE("a_masked_texture_leaves_its_open_texels") {
   CHECK(flux(found, 1) == doctest::Approx(k_pi * 100 * 2 * open / (64.0 * 32)).epsilon(1e-5));
   // Where the holes are: the picture is the texture.
   const light::PolygonLight& light = found.lights.polygons[0];
-  const image::Image& picture = found.pictures[0];
+  const image::Image picture = found.pictures[0].to_image();
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x) {
       const Vec3f p(float(x + 0.5) / 32, 1 - float(y + 0.5) / 32, 0);

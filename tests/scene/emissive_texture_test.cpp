@@ -156,7 +156,8 @@ TEST_CASE("lights_of_one_texture_share_one_picture") {
   REQUIRE(scene.lights.textures.size() == 1);
   CHECK(scene.lights.polygons[0].texture == 0);
   CHECK(scene.lights.polygons[1].texture == 0);
-  CHECK(scene.lights.textures[0].data == scene.textures[1].image.to_image().data);
+  CHECK(scene.lights.textures[0].to_image().data == scene.textures[1].image.to_image().data);
+  CHECK(scene.lights.textures[0].identity() == scene.textures[1].image.identity());
 }
 
 } // namespace

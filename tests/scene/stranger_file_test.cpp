@@ -227,6 +227,49 @@ TEST_CASE("instances_count_before_they_are_made") {
   CHECK(fails_naming(refused, "--memory"));
 }
 
+TEST_CASE("the_places_of_instances_count_before_they_are_made") {
+  // An accessor without data is all zeros: 4 million places for a few bytes of text.
+  GltfBuilder file;
+  file.use("EXT_mesh_gpu_instancing", true);
+  const int places =
+      file.add("accessors", {{"componentType", 5126}, {"type", "VEC3"}, {"count", 1 << 22}});
+  file.add_mesh_node(
+      file.square_primitive(),
+      {{"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", places}}}}}}}});
+  const auto with_limit = [&](std::uint64_t mib) {
+    const Limit limit(memory_budget().in_use() + (mib << 20));
+    return file.load_glb();
+  };
+  CHECK(fails_naming(with_limit(40), "accessors")); // 12 bytes each are 48 MiB
+  const auto refused = with_limit(100);
+  CHECK(fails_naming(refused, "4194304 instances"));
+  CHECK(fails_naming(refused, "--memory"));
+}
+
+TEST_CASE("what_a_draco_stream_says_it_holds_counts_before_it_is_decoded") {
+  // Draco bitstream specification, sections 2.2 and 2.5: version 2.2, a triangular mesh,
+  // sequential, no flags, 100 million triangles of 3 points as variable-length numbers, and no
+  // more.
+  std::vector<std::uint8_t> stream = {'D', 'R', 'A', 'C', 'O', 2, 2, 1, 0, 0, 0};
+  for (std::uint32_t count : {100000000u, 3u}) {
+    for (; count > 127; count >>= 7)
+      stream.push_back(std::uint8_t(count & 127) | 128);
+    stream.push_back(std::uint8_t(count));
+  }
+  stream.resize(64);
+  GltfBuilder file;
+  file.use("KHR_draco_mesh_compression", true);
+  json primitive = file.square_primitive();
+  primitive["extensions"] = {{"KHR_draco_mesh_compression",
+                              {{"bufferView", file.add_view(stream.data(), stream.size())},
+                               {"attributes", {{"POSITION", 0}}}}}};
+  file.add_mesh_node(primitive);
+  const Limit limit(memory_budget().in_use() + (std::uint64_t(64) << 20));
+  const auto refused = file.load_glb();
+  CHECK(fails_naming(refused, "100000000 compressed triangles"));
+  CHECK(fails_naming(refused, "--memory"));
+}
+
 TEST_CASE("samplers_and_images_of_one_picture_share_its_memory") {
   GltfBuilder file;
   const auto png = make_png(256, 256, std::vector<std::uint8_t>(256 * 256 * 4, 200));
@@ -245,8 +288,9 @@ TEST_CASE("samplers_and_images_of_one_picture_share_its_memory") {
   const auto loaded = file.load_glb();
   if (!loaded.ok()) FAIL(loaded.error().message);
   CHECK(loaded->textures.size() > 2);
-  // 8-bit RGBA and its smaller copies as floats: 4 + 16 / 3 bytes a pixel.
-  CHECK(loaded->memory->bytes() < 256 * 256 * 10 + 10000);
+  // 8-bit RGBA and its smaller copies as floats, of colours and of data: 4 + 2 * 16 / 3 bytes a
+  // pixel.
+  CHECK(loaded->memory->bytes() < 256 * 256 * 15 + 10000);
 }
 
 TEST_CASE("one_light_picture_by_many_spellings_is_read_once") {
