@@ -83,11 +83,11 @@ std::map<std::string, std::pair<StatedFigures, StatedFigures>> stated_errors() {
 
 } // namespace
 
-// The page's figures are of 100,000 lights, these of the first 3,000, or of other ones where another
-// compiler draws. The 99th percentile of the smooth ones, a fifth of 3,000, stands on six lights and
-// scatters by 40 %: it may be off by a factor of two either way. A mean is held up by few lights, of
-// spheres by one in 100,000: it may be smaller at will, and larger by a factor of two and by what one
-// light of the largest error stated adds to it.
+// The page's figures are of 100,000 lights, these of the first 3,000, or of other ones where
+// another compiler draws. The 99th percentile of the smooth ones, a fifth of 3,000, stands on six
+// lights and scatters by 40 %: it may be off by a factor of two either way. A mean is held up by
+// few lights, of spheres by one in 100,000: it may be smaller at will, and larger by a factor of
+// two and by what one light of the largest error stated adds to it.
 TEST_CASE("in float the errors of every shape are what docs/lights.md says") {
   const auto stated = stated_errors();
   CHECK(stated.size() == 2 * testing::k_light_shapes);
