@@ -85,24 +85,6 @@ void unshadowed(const char* name, scene::Scene (*make)(int), const std::vector<i
   }
 }
 
-// Not all lights one by one, which with shadows take minutes.
-void shadowed(const char* name, scene::Scene (*make)(int), const std::vector<int>& counts) {
-  fmt::print("{}, 1280x720, 1 sample per pixel, 16 shadow samples\n"
-             "  {:>6} | {:>8} {:>7} {:>7} {:>6}\n",
-             name, "lights", "s", "x first", "exact", "far");
-  double first = 0;
-  for (const int count : counts) {
-    const scene::Scene scene = make(count);
-    render::RenderOptions options;
-    options.samples = 1;
-    const Timed chosen = timed(scene, options, 2);
-    if (first == 0) first = chosen.seconds;
-    fmt::print("  {:>6} | {:>8.3f} {:>7.2f} {:>7.1f} {:>6.1f}\n", count, chosen.seconds,
-               chosen.seconds / first, chosen.picture.lights_per_point,
-               chosen.picture.far_groups_per_point);
-  }
-}
-
 /// Mean of the absolute difference over the mean of the truth.
 double relative_error(const image::Image& picture, const image::Image& truth) {
   double difference = 0, sum = 0;
@@ -111,6 +93,37 @@ double relative_error(const image::Image& picture, const image::Image& truth) {
     sum += double(truth.data[i]);
   }
   return difference / sum;
+}
+
+/// Noise of the shadows: what a small picture of them differs from one of many rays.
+double shadow_noise(const scene::Scene& scene) {
+  render::RenderOptions options;
+  options.width = 160;
+  options.height = 90;
+  options.samples = 1;
+  options.filter = render::PixelFilter::none;
+  const render::Picture picture = rendered(scene, options);
+  options.shadow_samples = 512;
+  options.seed = 1;
+  return relative_error(picture.radiance, rendered(scene, options).radiance);
+}
+
+// Not all lights one by one, which with shadows take minutes.
+void shadowed(const char* name, scene::Scene (*make)(int), const std::vector<int>& counts) {
+  fmt::print("{}, 1280x720, 1 sample per pixel, 16 shadow samples; noise by 160x90 against 512\n"
+             "  {:>6} | {:>8} {:>7} {:>7} {:>6} | {:>7}\n",
+             name, "lights", "s", "x first", "exact", "far", "noise");
+  double first = 0;
+  for (const int count : counts) {
+    const scene::Scene scene = make(count);
+    render::RenderOptions options;
+    options.samples = 1;
+    const Timed chosen = timed(scene, options, 2);
+    if (first == 0) first = chosen.seconds;
+    fmt::print("  {:>6} | {:>8.3f} {:>7.2f} {:>7.1f} {:>6.1f} | {:>6.2f}%\n", count, chosen.seconds,
+               chosen.seconds / first, chosen.picture.lights_per_point,
+               chosen.picture.far_groups_per_point, 100 * shadow_noise(scene));
+  }
 }
 
 // The reference's time to an error of 1 %: its error falls with the root of its samples.

@@ -40,6 +40,16 @@ float largest(const Vec3f& v) { return std::max({v.x, v.y, v.z}); }
 
 } // namespace
 
+Lighting lighting_of(const LightChoice& choice) {
+  Lighting lighting;
+  lighting.lights = choice.exact;
+  const FarGroup* groups = choice.far.data();
+  lighting.far[0] = {groups, int(choice.far_open), 0, k_far_light_samples, nullptr};
+  lighting.far[1] = {groups + choice.far_open, int(choice.far.size() - choice.far_open), 0,
+                     k_hidden_light_samples, nullptr};
+  return lighting;
+}
+
 LightChooser::LightChooser(const Kernel& kernel, const KernelContext& context,
                            const LightTree& tree, LightErrorScale scale)
     : kernel_(kernel), context_(context), tree_(tree), scale_(scale),
@@ -102,15 +112,14 @@ double LightChooser::measure_level(const PointBuffer& points, PointBuffer::Range
   probe_sums_.assign(traced ? slots * k_ratio_sum_count * count : 0, 0.0f);
   probe_radiance_.assign(count, Vec3f(0.0f));
   far_reach_.assign(2 * choice_.far.size(), 0.0f);
-  Lighting lighting;
-  lighting.lights = choice_.exact;
+  Lighting lighting = lighting_of(choice_);
   lighting.slots = probe_slots_;
-  lighting.far[0] = {choice_.far.data(), int(choice_.far_open), int(singles), k_far_light_samples,
-                     far_reach_.data()};
-  lighting.far[1] = {choice_.far.data() + choice_.far_open,
-                     int(choice_.far.size() - choice_.far_open), int(singles) + 1,
-                     k_hidden_light_samples, far_reach_.data() + 2 * choice_.far_open};
-  probe_.shade(kernel_, context, probe_.all(), lighting, probe_radiance_, probe_sums_, int(count));
+  for (int i = 0; i < 2; ++i)
+    lighting.far[i].slot = std::int32_t(singles) + i;
+  lighting.far[0].reach = far_reach_.data();
+  lighting.far[1].reach = far_reach_.data() + 2 * choice_.far_open;
+  probe_.shade(kernel_, context, probe_.all(), lighting, probe_radiance_,
+               {probe_sums_, int(count)});
 
   std::array<float, k_probe_points> levels{};
   if (traced) {

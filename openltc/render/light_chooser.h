@@ -19,6 +19,9 @@ struct LightErrorScale {
   double view_nits = 0;   ///< light level of the view, shadows included, see light_level.h
 };
 
+/// A choice for the kernel; the slots are the caller's to give. A view of the choice.
+Lighting lighting_of(const LightChoice& choice);
+
 /// One for each thread; holds working memory.
 class LightChooser {
 public:

@@ -37,11 +37,7 @@ void PointBuffer::add(const SurfacePoint& p, const PointTarget& target) {
   fields_[k_f90][i] = p.f90;
   fields_[k_roughness][i] = p.roughness;
   fields_[k_offset][i] = p.offset;
-  seed_[i] = target.pixel_seed;
-  index_[i] = target.sample_index;
-  pixel_[i] = target.pixel;
-  sample_[i] = target.sample;
-  weight_[i] = target.weight;
+  set_target(i, target);
 }
 
 // Arrays of the points of a range. The last register of all is filled with copies of the last
@@ -101,14 +97,24 @@ void PointBuffer::thin(Range range, std::size_t count, PointBuffer& to) const {
   count = std::min({count, range.size(), to.capacity_ - to.count_});
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t from = range.begin + (2 * k + 1) * range.size() / (2 * count);
-    const std::size_t i = to.count_++;
-    for (std::size_t f = 0; f < fields_.size(); ++f)
-      to.fields_[f][i] = fields_[f][from];
-    to.seed_[i] = seed_[from];
-    to.index_[i] = index_[from];
-    to.sample_[i] = to.pixel_[i] = std::uint32_t(i);
-    to.weight_[i] = 1;
+    const auto i = std::uint32_t(to.count_);
+    copy(from, {i, i, seed_[from], index_[from], 1.0f}, to);
   }
+}
+
+void PointBuffer::copy(std::size_t from, const PointTarget& target, PointBuffer& to) const {
+  const std::size_t i = to.count_++;
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    to.fields_[f][i] = fields_[f][from];
+  to.set_target(i, target);
+}
+
+void PointBuffer::set_target(std::size_t i, const PointTarget& target) {
+  seed_[i] = target.pixel_seed;
+  index_[i] = target.sample_index;
+  pixel_[i] = target.pixel;
+  sample_[i] = target.sample;
+  weight_[i] = target.weight;
 }
 
 void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, Range range,
@@ -119,12 +125,13 @@ void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, Rang
 }
 
 void PointBuffer::shade(const Kernel& kernel, const KernelContext& context, Range range,
-                        const Lighting& lighting, std::vector<Vec3f>& samples,
-                        std::vector<float>& ratio_sums, int pixel_count) {
+                        const Lighting& lighting, std::vector<Vec3f>& samples, RatioSums sums) {
   static constexpr std::int32_t none = 0; // an empty list is not the null that means all
   ShadingBatch chosen = batch(range);
-  chosen.ratio_sums = ratio_sums.data();
-  chosen.pixel_count = pixel_count;
+  chosen.ratio_sums = sums.values.data();
+  chosen.pixel_count = sums.pixel_count;
+  chosen.part = sums.part;
+  chosen.closed_sums = sums.closed;
   chosen.lights = lighting.lights.empty() ? &none : lighting.lights.data();
   chosen.slots = lighting.slots.data();
   chosen.light_count = int(lighting.lights.size());

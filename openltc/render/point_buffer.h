@@ -23,11 +23,22 @@ struct PointTarget {
   float weight = 1;               ///< share in the camera sample
 };
 
+/// Sums of the shadow ratio, as ShadingBatch wants them, and which part of them to add to.
+struct RatioSums {
+  std::vector<float>& values;
+  int pixel_count;
+  ShadingPart part = ShadingPart::both;
+  const float* closed = nullptr; ///< see ShadingBatch::closed_sums
+};
+
 /// The lights of a batch; see the fields of ShadingBatch.
 struct Lighting {
   std::span<const std::int32_t> lights, slots;
   FarSet far[2];
 };
+
+/// Surface points per kernel call, at most.
+inline constexpr std::size_t k_most_points = 4096;
 
 class PointBuffer {
 public:
@@ -57,11 +68,16 @@ public:
   /// and pixel of the i-th are i, its weight is 1.
   void thin(Range range, std::size_t count, PointBuffer& to) const;
 
-  /// Shades a range as `lighting` says and adds to `samples` and `ratio_sums` (see ShadingBatch).
+  /// Appends the i-th point to another buffer that has room, with a target of its own.
+  void copy(std::size_t i, const PointTarget& target, PointBuffer& to) const;
+  PointTarget target(std::size_t i) const {
+    return {sample_[i], pixel_[i], seed_[i], index_[i], weight_[i]};
+  }
+
+  /// Shades a range as `lighting` says and adds to `samples` and `sums`.
   /// Ranges must be shaded in ascending order.
   void shade(const Kernel& kernel, const KernelContext& context, Range range,
-             const Lighting& lighting, std::vector<Vec3f>& samples, std::vector<float>& ratio_sums,
-             int pixel_count);
+             const Lighting& lighting, std::vector<Vec3f>& samples, RatioSums sums);
   /// Shades all points by all lights and becomes empty.
   void shade(const Kernel& kernel, const KernelContext& context, std::vector<Vec3f>& samples,
              std::vector<float>& ratio_sums, int pixel_count);
@@ -69,6 +85,7 @@ public:
   void clear() { count_ = 0; }
 
 private:
+  void set_target(std::size_t i, const PointTarget& target);
   ShadingBatch batch(Range range);
   void shade(const Kernel& kernel, const KernelContext& context, Range range,
              const ShadingBatch& batch, std::vector<Vec3f>& samples);

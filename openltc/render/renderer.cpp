@@ -17,6 +17,7 @@
 #include "openltc/render/light_tree.h"
 #include "openltc/render/point_buffer.h"
 #include "openltc/render/ray_scene.h"
+#include "openltc/render/shadow_ratio.h"
 #include "openltc/render/surface_point.h"
 
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ constexpr int k_max_layers = 32; // blended surfaces along one camera ray; the l
 constexpr int k_max_clear_layers = 4096; // culled or fully clear ones, which do not count
 constexpr int k_max_size = 32768;        // pixels on a side
 constexpr int k_tile_pixels = k_tile * k_tile;
-constexpr std::size_t k_batch = 4096; // surface points per kernel call
+constexpr std::size_t k_batch = k_most_points;
 constexpr std::uint32_t k_purpose_pixel = 0;
 // Fewer lights than this are all shaded: choosing among them costs as much.
 constexpr int k_min_lights_to_choose = 6;
@@ -45,9 +46,6 @@ constexpr int k_min_lights_to_choose = 6;
 constexpr int k_min_lights_to_draw = 128;
 constexpr int k_drawn_lights = 96;
 constexpr int k_most_tries = 8; // random numbers of any other purpose for one point
-// Whose sums a slot holds, when no single light's: groups that reach the points, and those that do
-// not.
-constexpr std::int32_t k_far_lights = -1, k_hidden_lights = -2;
 
 static_assert(k_tile == RayPacket::k_size);
 
@@ -65,6 +63,7 @@ struct Job {
   KernelContext context;
   const LightTree* tree; ///< null: all lights shade all points
   LightErrorScale error_scale;
+  ShadowPlan shadows; ///< of the LTC integrator
   bool diffuse_error; ///< whether neighbours share a sequence, see z_order
 };
 
@@ -77,8 +76,6 @@ struct ShadingWork {
 bool needs_ratio(const KernelContext& context) {
   return context.integrator == Integrator::ltc && context.trace && context.area_light_count > 0;
 }
-
-int divide_up(int a, int b) { return (a + b - 1) / b; }
 
 /// One tile's pixels and the samples of the chunk in work.
 class Tile {
@@ -94,7 +91,7 @@ public:
     const int pixels = k_tile_pixels;
     std::vector<Vec3d> sum(std::size_t(pixels), Vec3d(0.0)), sum2 = sum;
     if (needs_ratio(job_.context))
-      slot_of_light_.assign(std::size_t(job_.context.area_light_count), -1);
+      shadows_.emplace(job_.kernel, job_.context, job_.shadows, k_tile);
     if (!job_.tree) {
       all_lights_.exact.resize(std::size_t(job_.context.area_light_count));
       std::iota(all_lights_.exact.begin(), all_lights_.exact.end(), 0);
@@ -103,6 +100,7 @@ public:
     for (int first = 0; first < samples; first += chunk) {
       const int count = std::min(chunk, samples - first);
       samples_.assign(std::size_t(pixels * count), Vec3f(0.0f));
+      if (shadows_) shadows_->begin(first, count);
       for (int s = 0; s < count; ++s)
         for (int row = 0; row < height_; ++row)
           trace_row(row, first + s, s * pixels);
@@ -119,7 +117,7 @@ public:
         const std::size_t i = std::size_t(row * k_tile + column);
         const double n = samples;
         const Vec3d mean = sum[i] / n;
-        const Vec3d areas = shadowed_area_lights(i) / n;
+        const Vec3d areas = shadows_ ? shadows_->light(i) / n : Vec3d(0.0);
         const auto error = [&](double m, double s2) {
           return n > 1 ? float(std::sqrt(std::max(s2 / n - m * m, 0.0) / (n - 1))) : 0.0f;
         };
@@ -147,69 +145,21 @@ private:
       chooser_->light(points_, points_.all(), shade);
     else
       shade(points_.all(), all_lights_);
+    if (shadows_) shadows_->finish(points_, samples_);
     points_.clear();
   }
 
   void shade_range(PointBuffer::Range range, const LightChoice& choice) {
-    Lighting lighting;
-    lighting.far[0] = {choice.far.data(), int(choice.far_open), 0, k_far_light_samples, nullptr};
-    lighting.far[1] = {choice.far.data() + choice.far_open,
-                       int(choice.far.size() - choice.far_open), 0, k_hidden_light_samples,
-                       nullptr};
-    if (needs_ratio(job_.context)) give_slots(choice, lighting);
-    lighting.lights = choice.exact;
-    lighting.slots = slots_;
     const std::int64_t count = std::int64_t(range.size());
     points_shaded_ += count;
     exact_ += count * std::int64_t(choice.exact.size());
     far_ += count * std::int64_t(choice.far.size());
-    points_.shade(job_.kernel, job_.context, range, lighting, samples_, ratio_sums_, k_tile_pixels);
-  }
-
-  // Sums for the lights that this tile meets for the first time.
-  void give_slots(const LightChoice& choice, Lighting& lighting) {
-    const auto slot_for = [&](std::int32_t light, std::int32_t& slot) {
-      if (slot < 0) {
-        slot = std::int32_t(light_of_slot_.size());
-        light_of_slot_.push_back(light);
-      }
-      return slot;
-    };
-    slots_.clear();
-    for (const std::int32_t light : choice.exact)
-      slots_.push_back(slot_for(light, slot_of_light_[std::size_t(light)]));
-    for (int i = 0; i < 2; ++i)
-      if (lighting.far[i].count > 0)
-        lighting.far[i].slot = slot_for(i == 0 ? k_far_lights : k_hidden_lights, far_slots_[i]);
-    ratio_sums_.resize(light_of_slot_.size() * k_ratio_sum_count * std::size_t(k_tile_pixels),
-                       0.0f);
-  }
-
-  // Light of all area lights in a pixel, summed over its camera samples: the closed form times the
-  // ratio of shadowed to unshadowed light. Where the samples found none of a channel, that of all
-  // channels; where they found none at all, no ray was open.
-  Vec3d shadowed_area_lights(std::size_t pixel) const {
-    Vec3d total(0.0);
-    for (std::size_t slot = 0; slot < light_of_slot_.size(); ++slot) {
-      const std::int32_t light = light_of_slot_[slot];
-      const float* sums = ratio_sums_.data() + slot * k_ratio_sum_count * k_tile_pixels + pixel;
-      const auto all_channels = [&](int field) {
-        return double(sums[field * k_tile_pixels]) + double(sums[(field + 1) * k_tile_pixels]) +
-               double(sums[(field + 2) * k_tile_pixels]);
-      };
-      const double found = all_channels(k_unshadowed_r);
-      const double ratio_of_all = found > 0 ? all_channels(k_shadowed_r) / found : 0.0;
-      const auto channel = [&](int c) {
-        const double closed = sums[(k_closed_r + c) * k_tile_pixels];
-        const double unshadowed = sums[(k_unshadowed_r + c) * k_tile_pixels];
-        const double shadowed = sums[(k_shadowed_r + c) * k_tile_pixels];
-        const double ratio = unshadowed > 0 ? shadowed / unshadowed : ratio_of_all;
-        if (light < 0) return closed * ratio; // of groups
-        return closed * ratio * double(job_.context.area_lights[light].radiance[c]);
-      };
-      total += Vec3d(channel(0), channel(1), channel(2));
+    if (shadows_) {
+      shadows_->shade(points_, range, choice, samples_);
+      return;
     }
-    return total;
+    std::vector<float> no_ratio;
+    points_.shade(job_.kernel, job_.context, range, lighting_of(choice), samples_, {no_ratio, 0});
   }
 
   // Where the samples of a pixel are from: sample i is index + i of the sequence of the seed.
@@ -297,11 +247,8 @@ private:
   PointBuffer points_;
   std::vector<Vec3f> samples_;
   std::optional<LightChooser> chooser_;
-  LightChoice all_lights_; // without one
-  // Sums of the shadow ratio, see ShadingBatch, and whose they are; empty unless it is needed.
-  std::vector<float> ratio_sums_;
-  std::vector<std::int32_t> slots_, slot_of_light_, light_of_slot_;
-  std::int32_t far_slots_[2] = {-1, -1};
+  LightChoice all_lights_;             // without one
+  std::optional<ShadowRatio> shadows_; // where lights cast any
   std::int64_t points_shaded_ = 0, exact_ = 0, far_ = 0;
 };
 
@@ -337,7 +284,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 
-  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, {}, false};
+  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, {}, {}, false};
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
@@ -348,12 +295,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   context.integrator = options.integrator;
   context.punctual_form = options.punctual_form;
   const bool reference = options.integrator == Integrator::reference;
-  // The samples of the shadow ratio are spread over the pixel's camera samples.
-  context.light_samples = reference ? 1 : divide_up(options.shadow_samples, options.samples);
-  context.brdf_samples =
-      reference
-          ? 1
-          : std::min(divide_up(options.shadow_samples, 2 * options.samples), k_max_brdf_samples);
+  context.light_samples = context.brdf_samples = 1; // the LTC integrator has its own plan
+  job.shadows = plan_shadows(options.shadow_samples, options.samples);
   if (options.shadow_samples > 0) {
     context.trace = [](const void* tracer, const ShadowRays& shadow_rays) {
       static_cast<const RayScene*>(tracer)->trace_shadows(shadow_rays);
@@ -363,8 +306,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
 
   // The reference's pixels stay independent of each other. So do those whose samples are too many
   // for an index of 32 bits, where noise is no question any more.
-  const int most_samples =
-      std::max({k_far_light_samples * context.light_samples, context.brdf_samples, k_most_tries});
+  const int most_samples = std::max(k_far_light_samples * job.shadows.more.of_light, k_most_tries);
   job.diffuse_error = !reference && 2 * k_block_bits + bits_below(std::uint32_t(options.samples)) +
                                             bits_below(std::uint32_t(most_samples)) <=
                                         32;

@@ -28,8 +28,9 @@ struct RenderOptions {
   int height = 720;
   Integrator integrator = Integrator::ltc;
   int samples = 8; ///< camera samples per pixel; the reference takes one light sample with each
-  /// LTC: samples of the shadow ratio per pixel and polygon light, spread over its camera samples,
-  /// at least one each; 0 = no shadows at all. Reference: only whether it is 0.
+  /// LTC: samples of the shadow ratio per pixel and area light, spread over its camera samples:
+  /// half of them where neighbours agree, three times as many elsewhere (see shadow_ratio.h); 0 =
+  /// no shadows at all. Reference: only whether it is 0.
   int shadow_samples = 16;
   PixelFilter filter = PixelFilter::blackman_harris; ///< with more than one sample per pixel
   /// LTC, scenes of many area lights: how far the light of a surface point, in any channel, may be

@@ -77,6 +77,10 @@ struct FarSet {
   float* reach = nullptr;
 };
 
+/// What is asked of a batch with shadows: the sums of the closed form, and all that needs no ratio; the
+/// sums of the shadow rays; or both.
+enum class ShadingPart : std::uint8_t { both, closed, rays };
+
 /// Surface points in, radiance out. The arrays are padded to a multiple of k_batch_padding.
 struct ShadingBatch {
   int count = 0;
@@ -90,6 +94,10 @@ struct ShadingBatch {
   /// for radiance 1, are added here, [slot][RatioSum][pixel]. Else unused.
   float* ratio_sums = nullptr;
   int pixel_count = 0;
+  ShadingPart part = ShadingPart::both; ///< of the LTC integrator, with shadows
+  /// Of ShadingPart::rays: sums like ratio_sums, with those of the closed form. A light without any in
+  /// a pixel gets no rays there.
+  const float* closed_sums = nullptr;
   /// The area lights that shade the points, `light_count` of them, and the slot of each; null for
   /// all, with slots of the same numbers. The reference integrator takes all in any case.
   const std::int32_t* lights = nullptr;
