@@ -15,19 +15,27 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
   command -v $$cxx; done; true))
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
-sources = $(shell git ls-files '*.h' '*.cpp')
 
-.PHONY: help setup build demo lights figures test bench format sanitize fuzz fuzz-lights clean
+.PHONY: help setup build build-all build-checked demo lights figures test bench format format-check sanitize fuzz fuzz-lights clean
 
 help: ## Print this list (default)
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
 
 setup: ## Install the system packages of tools/packages.txt
 	@tools/setup.sh
 
-build: setup ## Build the tool and the tests: build/release/bin/openltc
+build: setup ## Build the tool alone: build/release/bin/openltc
 	cmake --preset release -DCMAKE_CXX_COMPILER=$(release_cxx)
+	cmake --build --preset release --parallel $(JOBS) --target openltc
+
+# Tests and benchmarks too.
+build-all: build
 	cmake --build --preset release --parallel $(JOBS)
+
+# Library, tool and tests with assertions, warnings as errors, each file by itself, nothing optimised.
+build-checked: setup
+	cmake --preset checked -DCMAKE_CXX_COMPILER=$(release_cxx)
+	cmake --build --preset checked --parallel $(JOBS)
 
 demo: build ## Render the demo scene by LTC and by reference, and compare the two
 	@OPENLTC=build/release/bin/openltc tools/demo.sh
@@ -38,14 +46,17 @@ lights: build ## Render every shape of light by LTC and by reference, and compar
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh
 
-test: build ## Run all tests
-	@tools/test.sh release
+test: build-all build-checked ## Run all tests, those that are quick with assertions too
+	@tools/test.sh release checked
 
-bench: build ## Run the benchmarks
+bench: build-all ## Run the benchmarks
 	@tools/bench.sh build/release/bin
 
-format: ## Format the C++ sources in place
-	$(CLANG_FORMAT) -i $(sources)
+format: ## Format the C++ and shading sources in place
+	@CLANG_FORMAT=$(CLANG_FORMAT) tools/format.sh
+
+format-check: ## Say which sources are not formatted
+	@CLANG_FORMAT=$(CLANG_FORMAT) tools/format.sh --check
 
 sanitize: setup ## Run all tests under the address and undefined-behaviour sanitizers
 	cmake --preset sanitizers
@@ -58,7 +69,7 @@ fuzz: setup ## Fuzz every reader of files for FUZZ_SECONDS (60) each
 	cmake --build --preset fuzz --parallel $(JOBS) --target fuzz
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) tools/fuzz.sh build/fuzz
 
-fuzz-lights: build ## Evaluate FUZZ_LIGHTS (10000000) random and adversarial lights of each shape
+fuzz-lights: build-all ## Evaluate FUZZ_LIGHTS (10000000) random and adversarial lights of each shape
 	@build/release/bin/fuzz_lights $(FUZZ_LIGHTS)
 
 clean: ## Delete everything built and rendered

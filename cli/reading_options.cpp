@@ -18,7 +18,8 @@ void add_memory_option(CLI::App& command) {
             if (!size) throw CLI::ValidationError("--memory", size.error().message);
             memory_budget().set_limit(*size);
           },
-          "Most memory that files and pictures may ask for, such as 512M or 4G; what asks for more is "
+          "Most memory that files and pictures may ask for, such as 512M or 4G; what asks for more "
+          "is "
           "refused, a texture left out [half of the machine's]")
       ->type_name("SIZE");
 }

@@ -3,13 +3,13 @@
 #
 # Every library comes from the distribution; tools/packages.txt lists the packages.
 
-set(_hint "run tools/setup.sh, which installs every package of tools/packages.txt")
-
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Eigen3 REQUIRED)
 find_package(fmt REQUIRED)
-find_package(CLI11 REQUIRED)
+if(OPENLTC_TOOL)
+  find_package(CLI11 REQUIRED)
+endif()
 find_package(PNG REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(TinyGLTF REQUIRED)

@@ -2,16 +2,23 @@
 # SPDX-License-Identifier: MIT
 #
 # openltc_library(NAME SOURCES files... PUBLIC targets... PRIVATE targets...)
-# makes the folder's library openltc_NAME, known to others as openltc::NAME.
+# makes the folder's library openltc_NAME, known to others as openltc::NAME. Whoever links it finds
+# the headers and gets C++20, but not our flags: those are openltc::options.
 
 function(openltc_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   if(ARG_SOURCES)
     add_library(openltc_${name} STATIC ${ARG_SOURCES})
-    target_link_libraries(openltc_${name} PUBLIC openltc::options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+    set(scope PUBLIC)
+    target_link_libraries(openltc_${name}
+      PUBLIC ${ARG_PUBLIC} PRIVATE $<BUILD_INTERFACE:openltc::options> ${ARG_PRIVATE})
+    openltc_precompile(openltc_${name})
   else()
     add_library(openltc_${name} INTERFACE)
-    target_link_libraries(openltc_${name} INTERFACE openltc::options ${ARG_PUBLIC})
+    set(scope INTERFACE)
+    target_link_libraries(openltc_${name} INTERFACE ${ARG_PUBLIC})
   endif()
+  target_include_directories(openltc_${name} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_compile_features(openltc_${name} ${scope} cxx_std_20)
   add_library(openltc::${name} ALIAS openltc_${name})
 endfunction()

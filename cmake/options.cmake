@@ -28,10 +28,22 @@ if(OPENLTC_SANITIZE)
   target_link_options(openltc_options INTERFACE -fsanitize=${OPENLTC_SANITIZE})
 endif()
 
-# Compiles the files of a target several at a time, for which their headers, of JSON or CLI11, take
-# longer than they do themselves. Not in debug builds, where one file changes at a time.
-function(openltc_batch target)
+# What shortens a release build; docs/decisions.md, 58. Not in debug builds, where one file changes at a
+# time, and where a file that lacks an include of its own has to show.
+
+# Compiles the files of a target `size` at a time, for which their headers, of JSON or CLI11, take
+# longer than they do themselves.
+function(openltc_batch target size)
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
+  endif()
+endfunction()
+
+# Reads what nearly every file of a library includes once. Not behind a launcher: ccache, as it is set up
+# by itself, keeps nothing that was compiled so.
+function(openltc_precompile target)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    target_precompile_headers(${target} PRIVATE
+      <algorithm> <cmath> <span> <string> <vector> <fmt/format.h>)
   endif()
 endfunction()

@@ -39,13 +39,18 @@ if [[ ! -x "$tool" ]]; then
 fi
 mkdir -p "$out"
 
-# Runs a render, its progress on stderr, and keeps its wall time in `seconds`.
-render() {
+# Runs a render, its number and what it is on stderr before, its time behind, and keeps the time, of
+# the clock, in `seconds`.
+step=0
+render() { # what arguments...
   local start end
+  step="$((step + 1))"
+  printf '[%d/5] %-62s' "$step" "$1" >&2
   start="$(date +%s%N)"
-  "$tool" render "$scene" "$@"
+  "$tool" render "$scene" --quiet "${@:2}"
   end="$(date +%s%N)"
   seconds="$(awk -v ns="$((end - start))" 'BEGIN { printf "%.1f", ns / 1e9 }')"
+  printf '%8s s\n' "$seconds" >&2
 }
 
 # The line of the summary that a comparison's JSON amounts to.
@@ -72,25 +77,28 @@ compare() { # label a b seconds_a seconds_b difference_picture
 }
 
 rows=()
-echo "demo: the picture, $size" >&2
-render -o "$out/demo.exr" -o "$out/demo.png" --size "$size" --samples "$samples" \
+render "the picture by LTC, $size, $samples samples per pixel" \
+  -o "$out/demo.exr" -o "$out/demo.png" --size "$size" --samples "$samples" \
   --shadow-samples "$shadow_samples"
 picture_seconds="$seconds"
 
-echo "demo: LTC against the reference with shadows, $compare_size" >&2
-render -o "$out/demo_small.exr" --size "$compare_size" --samples "$compare_samples" \
+render "LTC with shadows, $compare_size, $compare_samples samples" \
+  -o "$out/demo_small.exr" --size "$compare_size" --samples "$compare_samples" \
   --shadow-samples "$compare_shadow_samples"
 ltc_seconds="$seconds"
-render -o "$out/demo_reference.exr" -o "$out/demo_reference.png" --size "$compare_size" \
+render "its reference, $reference_samples samples" \
+  -o "$out/demo_reference.exr" -o "$out/demo_reference.png" --size "$compare_size" \
   --integrator reference --samples "$reference_samples"
 compare "with shadows" "$out/demo_small.exr" "$out/demo_reference.exr" "$ltc_seconds" "$seconds" \
   "$out/demo_difference.png"
 
-echo "demo: the same without shadows, where the closed form has no noise" >&2
-render -o "$out/demo_unshadowed.exr" -o "$out/demo_unshadowed.png" --size "$compare_size" \
+# Where the closed form has no noise.
+render "LTC without shadows, $compare_samples samples" \
+  -o "$out/demo_unshadowed.exr" -o "$out/demo_unshadowed.png" --size "$compare_size" \
   --samples "$compare_samples" --shadow-samples 0
 ltc_seconds="$seconds"
-render -o "$out/demo_unshadowed_reference.exr" -o "$out/demo_unshadowed_reference.png" \
+render "its reference, $unshadowed_samples samples" \
+  -o "$out/demo_unshadowed_reference.exr" -o "$out/demo_unshadowed_reference.png" \
   --size "$compare_size" --integrator reference --samples "$unshadowed_samples" --shadow-samples 0
 compare "without shadows" "$out/demo_unshadowed.exr" "$out/demo_unshadowed_reference.exr" \
   "$ltc_seconds" "$seconds" "$out/demo_unshadowed_difference.png"
@@ -103,6 +111,14 @@ echo "where the closed form is off, without shadows: what is left is the fit of 
 echo "tails are longer and whose rim at grazing views is sharper than any clamped cosine's"
 largest "$json"
 echo
-echo "the picture, $size in $picture_seconds s:   $out/demo.png  $out/demo.exr"
-echo "ground truth:       $out/demo_reference.png  $out/demo_unshadowed_reference.png"
-echo "differences:        $out/demo_difference.png  $out/demo_unshadowed_difference.png"
+echo "the picture, $size in $picture_seconds s:"
+echo "  $out/demo.png  $out/demo.exr"
+echo "ground truth:"
+echo "  $out/demo_reference.png  $out/demo_unshadowed_reference.png"
+echo "differences:"
+echo "  $out/demo_difference.png  $out/demo_unshadowed_difference.png"
+echo
+echo "what to try next:"
+echo "  $tool render scenes/lights.glb -o $out/lights.png   # every shape of light"
+echo "  $tool inspect $scene   # its lights in nits and lumens, its size, its cameras"
+echo "  $tool plot polygon -o $out/polygon.svg   # the method in one figure"

@@ -124,8 +124,7 @@ FN_CALL Cone make_cone(Vec3 center, Vec3 a, Vec3 b) {
   Vec3 z_center = c * inv_c;
   Real along_p = dot(p, z_center);
   Real along_q = dot(q, z_center);
-  Mask from_center =
-      along_p * along_p + along_q * along_q - c_length2 < -(height * height);
+  Mask from_center = along_p * along_p + along_q * along_q - c_length2 < -(height * height);
 
   Diagonalisation j;
   j.e3 = select(from_center, z_center, z_normal);

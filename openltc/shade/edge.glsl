@@ -128,8 +128,8 @@ FN ClippedEdge clip_edge(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
   ClippedEdge edge;
   // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
   // length left but still opens or closes the outline there.
-  edge.outside = (a_z < Real(0.0) && b_z < Real(0.0)) ||
-                 (a_o.z < Real(0.0) && b_o.z < Real(0.0)) || t0 > t1;
+  edge.outside =
+      (a_z < Real(0.0) && b_z < Real(0.0)) || (a_o.z < Real(0.0) && b_o.z < Real(0.0)) || t0 > t1;
   Vec3 d = b_o - a_o;
   edge.p0 = a_o + d * t0;
   edge.p1 = a_o + d * t1;
@@ -223,15 +223,14 @@ FN Vec3 clipped_edge_term_scaled(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s,
     closing = closing + select(both, apex_term(edge.p1, inv_end, s), none);
   }
   // An end that was not cut stays the very point whose inverse length is known.
-  Vec3 sum = edge_term_scaled(edge.p0, select(b_inside, b_o, edge.p1),
-                              (b_o - a_o) * edge.extent, select(a_inside, inv_a, inv_q), inv_p1) +
+  Vec3 sum = edge_term_scaled(edge.p0, select(b_inside, b_o, edge.p1), (b_o - a_o) * edge.extent,
+                              select(a_inside, inv_a, inv_q), inv_p1) +
              closing;
   return select(edge.outside, none, sum);
 }
 
 FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
-  return clipped_edge_term_scaled(a_o, b_o, a_z, b_z, s, inverse_length(a_o),
-                                  inverse_length(b_o));
+  return clipped_edge_term_scaled(a_o, b_o, a_z, b_z, s, inverse_length(a_o), inverse_length(b_o));
 }
 
 /// The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own
@@ -241,9 +240,8 @@ FN Vec3 closed_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
   ClippedEdge edge = clip_edge(a_o, b_o, a_z, b_z);
   Real inv_p0 = inverse_length(edge.p0);
   Real inv_p1 = inverse_length(edge.p1);
-  Vec3 sum =
-      edge_term_scaled(edge.p0, edge.p1, (b_o - a_o) * edge.extent, inv_p0, inv_p1) +
-      apex_term(edge.p1, inv_p1, s) - apex_term(edge.p0, inv_p0, s);
+  Vec3 sum = edge_term_scaled(edge.p0, edge.p1, (b_o - a_o) * edge.extent, inv_p0, inv_p1) +
+             apex_term(edge.p1, inv_p1, s) - apex_term(edge.p0, inv_p0, s);
   return select(edge.outside, Vec3(Real(0.0), Real(0.0), Real(0.0)), sum);
 }
 
@@ -251,8 +249,8 @@ FN Vec3 closed_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
 /// that to which the point is known, whose square is `error2`, or than what rounding makes of 0. Such a
 /// point has no side, and gets no light. `to_origin` leads from the point to any point of the plane.
 FN Mask lies_in_plane(Real h, Vec3 to_origin, Real error2) {
-  return h * h <= max(error2, Real(k_plane_rounding * k_plane_rounding) *
-                                  dot(to_origin, to_origin));
+  return h * h <=
+         max(error2, Real(k_plane_rounding * k_plane_rounding) * dot(to_origin, to_origin));
 }
 
 /// What shading wants to know of a light of radiance 1, whatever its shape, without shadow.
@@ -279,11 +277,11 @@ FN LightIntegral light_integral(Vec3 diffuse, Vec3 specular, Lobe lobe) {
 
 /// A point of a light seen from a shaded point, met by a ray or drawn at random.
 struct LightPoint {
-  Mask hit;          // whether light comes from there: in front, on the emitting side
-  Vec3 direction;    // to the point, unit, world space
-  Real distance;     // metres
-  Real cos_light;    // cosine at the light, 0..1
-  Real solid_angle;  // 1 / the density per solid angle with which the light's sampling draws it
+  Mask hit;         // whether light comes from there: in front, on the emitting side
+  Vec3 direction;   // to the point, unit, world space
+  Real distance;    // metres
+  Real cos_light;   // cosine at the light, 0..1
+  Real solid_angle; // 1 / the density per solid angle with which the light's sampling draws it
 };
 
 FN LightPoint select_point(Mask m, LightPoint a, LightPoint b) {
@@ -303,8 +301,7 @@ FN Real solid_angle_of_area(Real area, Real cos_light, Real distance2) {
 }
 
 /// A point of a planar light of that area, `offset` from the shaded point.
-FN LightPoint area_light_point(Vec3 offset, Vec3 normal, Real area, Real two_sided,
-                               Mask in_plane) {
+FN LightPoint area_light_point(Vec3 offset, Vec3 normal, Real area, Real two_sided, Mask in_plane) {
   Real distance2 = max(dot(offset, offset), Real(k_tiny));
   Real inv_distance = inversesqrt(distance2);
   LightPoint result;

@@ -99,8 +99,8 @@ FN LightPoint sample_ellipse(Ellipse ellipse, Vec3 position, Vec2 u) {
   Real radius = sqrt(u.x);
   Real phi = Real(2.0) * k_pi * u.y;
   Vec3 to_center = ellipse.center - position;
-  Vec3 offset = to_center + ellipse.half_u * (radius * cos(phi)) +
-                ellipse.half_v * (radius * sin(phi));
+  Vec3 offset =
+      to_center + ellipse.half_u * (radius * cos(phi)) + ellipse.half_v * (radius * sin(phi));
   return area_light_point(offset, normal, area, ellipse.two_sided,
                           lies_in_plane(dot(to_center, normal), to_center, Real(0.0)));
 }
@@ -144,8 +144,7 @@ FN Real ellipse_reach(SeenEllipse seen, Real cos2, Real sin2) {
 
 /// 1 over the density per solid angle of sample_seen_ellipse at that azimuth.
 FN Real ellipse_solid_angle(SeenEllipse seen, Real cos2, Real sin2, Real reach) {
-  return Real(2.0) * k_pi * reach *
-         (seen.ratio * cos2 + sin2 / max(seen.ratio, Real(k_tiny)));
+  return Real(2.0) * k_pi * reach * (seen.ratio * cos2 + sin2 / max(seen.ratio, Real(k_tiny)));
 }
 
 /// Where a ray meets an ellipse that is `known`, with the density of sample_seen_ellipse.

@@ -72,8 +72,8 @@ FN EmissionCell emission_cell(Real width, Real low, Real high, int cell, int cel
   EmissionCell result;
   result.center = width * emission_width_from_step(t);
   result.measure = width * step * inv_root * inv_root * inv_root;
-  result.side = min(
-      width * (emission_width_from_step(t0 + step) - emission_width_from_step(t0)), result.measure);
+  result.side = min(width * (emission_width_from_step(t0 + step) - emission_width_from_step(t0)),
+                    result.measure);
   return result;
 }
 
@@ -119,10 +119,10 @@ FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame f
   Real slope = dot(aim, normal);
   Mask meets = slope * height > Real(0.0) && abs(slope) > Real(1.0e-6);
   Vec3 on_plane = aim * (height / select(meets, slope, Real(1.0))) - corner;
-  Real m_u = select(meets, min(max(dot(on_plane, axis_u), Real(0.0)), extent.x),
-                    extent.x * Real(0.5));
-  Real m_v = select(meets, min(max(dot(on_plane, axis_v), Real(0.0)), extent.y),
-                    extent.y * Real(0.5));
+  Real m_u =
+      select(meets, min(max(dot(on_plane, axis_u), Real(0.0)), extent.x), extent.x * Real(0.5));
+  Real m_v =
+      select(meets, min(max(dot(on_plane, axis_v), Real(0.0)), extent.y), extent.y * Real(0.5));
   Vec3 m = corner + axis_u * m_u + axis_v * m_v;
 
   // The quadratic form about m, in 1 / metre^2, and its axes.
@@ -140,10 +140,9 @@ FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame f
   form_vv = min(max(form_vv, Real(1.0e-12)), Real(1.0e12));
   form_uv = min(max(form_uv, Real(-1.0e12)), Real(1.0e12));
   Real half_difference =
-      Real(0.5) * (form_uu - form_vv) +
-      Real(0.5) * Real(k_emission_rectangle_share) *
-          (Real(1.0) / max(extent.x * extent.x, Real(1.0e-12)) -
-           Real(1.0) / max(extent.y * extent.y, Real(1.0e-12)));
+      Real(0.5) * (form_uu - form_vv) + Real(0.5) * Real(k_emission_rectangle_share) *
+                                            (Real(1.0) / max(extent.x * extent.x, Real(1.0e-12)) -
+                                             Real(1.0) / max(extent.y * extent.y, Real(1.0e-12)));
   Real cos_double =
       half_difference *
       inversesqrt(max(half_difference * half_difference + form_uv * form_uv, Real(k_tiny)));
@@ -151,10 +150,9 @@ FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame f
   Real s = sqrt(max(Real(0.5) - Real(0.5) * cos_double, Real(0.0)));
   s = select(form_uv < Real(0.0), -s, s);
   Real cross_form = Real(2.0) * c * s * form_uv;
-  Real narrow_width = inversesqrt(
-      max(c * c * form_uu + s * s * form_vv + cross_form, Real(1.0e-12)));
-  Real wide_width = inversesqrt(
-      max(s * s * form_uu + c * c * form_vv - cross_form, Real(1.0e-12)));
+  Real narrow_width =
+      inversesqrt(max(c * c * form_uu + s * s * form_vv + cross_form, Real(1.0e-12)));
+  Real wide_width = inversesqrt(max(s * s * form_uu + c * c * form_vv - cross_form, Real(1.0e-12)));
 
   // How far the light reaches from m along them.
   Real middle_u = Real(0.5) * extent.x - m_u;
@@ -172,8 +170,8 @@ FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame f
   Real inv_u = Real(1.0) / max(extent.x, Real(k_tiny));
   Real inv_v = Real(1.0) / max(extent.y, Real(k_tiny));
   // Texels per cell, squared, over the cell's area; the level is half its logarithm.
-  Real density = Real(k_emission_texels_per_cell) * Real(k_emission_texels_per_cell) * count.x * count.y *
-                 inv_u * inv_v;
+  Real density = Real(k_emission_texels_per_cell) * Real(k_emission_texels_per_cell) * count.x *
+                 count.y * inv_u * inv_v;
   Real narrow_rise = abs(axis_u.z * c + axis_v.z * s);
   Real wide_rise = abs(axis_v.z * c - axis_u.z * s);
   Real narrow_front = Real(0.0);
@@ -190,24 +188,22 @@ FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame f
     EmissionCell narrow =
         emission_cell(narrow_width, narrow_low, narrow_high, i, k_emission_narrow_cells);
     for (int j = 0; j < k_emission_wide_cells; ++j) {
-      EmissionCell wide =
-          emission_cell(wide_width, wide_low, wide_high, j, k_emission_wide_cells);
+      EmissionCell wide = emission_cell(wide_width, wide_low, wide_high, j, k_emission_wide_cells);
       // The cell's box along the rectangle's sides, as far as it lies in the rectangle.
-      EmissionOverlap in_u = emission_overlap(
-          m_u + c * narrow.center - s * wide.center,
-          Real(0.5) * (c * narrow.side + abs(s) * wide.side), extent.x);
-      EmissionOverlap in_v = emission_overlap(
-          m_v + s * narrow.center + c * wide.center,
-          Real(0.5) * (abs(s) * narrow.side + c * wide.side), extent.y);
+      EmissionOverlap in_u =
+          emission_overlap(m_u + c * narrow.center - s * wide.center,
+                           Real(0.5) * (c * narrow.side + abs(s) * wide.side), extent.x);
+      EmissionOverlap in_v =
+          emission_overlap(m_v + s * narrow.center + c * wide.center,
+                           Real(0.5) * (abs(s) * narrow.side + c * wide.side), extent.y);
       // K there, and the share of the cell above the surface's horizon.
       Vec3 x = corner + axis_u * in_u.center + axis_v * in_v.center;
       Vec3 p = to_cosine(lobe, x) * inv_m;
       Real inv_p2 = Real(1.0) / max(dot(p, p), Real(k_tiny));
-      Real above =
-          emission_share_above(x.z, narrow_rise * narrow.side + wide_rise * wide.side);
+      Real above = emission_share_above(x.z, narrow_rise * narrow.side + wide_rise * wide.side);
       if (cut) {
-        above = above * emission_share_above(
-                            dot(front, x), narrow_front * narrow.side + wide_front * wide.side);
+        above = above * emission_share_above(dot(front, x),
+                                             narrow_front * narrow.side + wide_front * wide.side);
       }
       Real weight = max(p.z, Real(0.0)) * inv_p2 * inv_p2 * above * in_u.share * in_v.share *
                     narrow.measure * wide.measure;

@@ -74,7 +74,8 @@ FN_CALL Vec3 clipped_cone_in_front(Cone cone, Vec3 up, Vec3 front) {
   Real s = select(cone.e3.y < Real(0.0), Real(-1.0), Real(1.0));
   Vec3 from = cone_direction(cone, part.start + part.extent);
   Vec3 to = cone_direction(cone, part.start);
-  Vec3 sum = clipped_arc_term(cone, part, up, s) + select(uncut, none, closed_term(from, to, up, s));
+  Vec3 sum =
+      clipped_arc_term(cone, part, up, s) + select(uncut, none, closed_term(from, to, up, s));
   Vec3 all = cone.e3 * (Real(2.0) * k_pi * cone.k1 * cone.k2);
   return select(hidden, none, select(uncut && cone_is_above(cone, up), all, sum));
 }

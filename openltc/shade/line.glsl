@@ -43,8 +43,7 @@ FN Vec3 line_term(Vec3 p, Vec3 q) {
 /// The same of a segment in cosine space, clipped to both horizons; see clip_edge.
 FN Vec3 clipped_line_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
   ClippedEdge edge = clip_edge(a_o, b_o, a_z, b_z);
-  return select(edge.outside, Vec3(Real(0.0), Real(0.0), Real(0.0)),
-                line_term(edge.p0, edge.p1));
+  return select(edge.outside, Vec3(Real(0.0), Real(0.0), Real(0.0)), line_term(edge.p0, edge.p1));
 }
 
 /// 2 pi times the vector irradiance of a strip of width 1 in shading space around the segment from a

@@ -202,8 +202,7 @@ FN EdgeSums sum_clipped_quad(Corner a, Corner b, Corner c, Corner d, Real s, Rea
     if (all_lanes(lower >= Real(0.0))) {
       sums.specular = sums.specular + whole_specular_term(points[i], points[j]);
     } else if (any_lane(upper >= Real(0.0))) {
-      EdgeAbove edge =
-          edge_above(points[i].o, points[j].o, s, points[i].inv_o, points[j].inv_o);
+      EdgeAbove edge = edge_above(points[i].o, points[j].o, s, points[i].inv_o, points[j].inv_o);
       sums.specular = sums.specular + edge.term;
       Real cosine = turn_cos * edge.turn_cos - turn_sin * edge.turn_sin;
       turn_sin = turn_cos * edge.turn_sin + turn_sin * edge.turn_cos;
@@ -228,8 +227,8 @@ FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lob
   EdgeSums sums;
   // Uniform shortcut: no lane has anything to clip.
   if (all_lanes(lowest >= Real(0.0))) {
-    sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) +
-                   whole_diffuse_term(c, d) + whole_diffuse_term(d, a);
+    sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) + whole_diffuse_term(c, d) +
+                   whole_diffuse_term(d, a);
     sums.specular = whole_specular_term(a, b) + whole_specular_term(b, c) +
                     whole_specular_term(c, d) + whole_specular_term(d, a);
     return sums;
@@ -345,10 +344,10 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
     small.v = to_shading(frame, polygon_spread_v(polygon));
     small.area_height = polygon_area(polygon) * abs(h) * abs(side);
     Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-    sums.diffuse = sums.diffuse + select(exact_diffuse < Real(1.0),
-                                         sum_small_polygon(small, cosine_lobe()) *
-                                             (Real(1.0) - exact_diffuse),
-                                         none);
+    sums.diffuse =
+        sums.diffuse + select(exact_diffuse < Real(1.0),
+                              sum_small_polygon(small, cosine_lobe()) * (Real(1.0) - exact_diffuse),
+                              none);
     sums.specular =
         sums.specular + select(exact_specular < Real(1.0),
                                sum_small_polygon(small, lobe) * (Real(1.0) - exact_specular), none);

@@ -21,13 +21,13 @@
 /// atan(x) for x in [0, 1]: odd minimax polynomial of degree 13, absolute error 2.5e-7.
 FN Real atan_unit(Real x) {
   Real y = x * x;
-  return x * (Real(0.999996111549571) +
-              y * (Real(-0.33317368054749336) +
-                   y * (Real(0.19807815564989179) +
-                        y * (Real(-0.13233342095574632) +
-                             y * (Real(0.07962367236561659) +
-                                  y * (Real(-0.033604220565024996) +
-                                       y * Real(0.006811793290873252)))))));
+  return x *
+         (Real(0.999996111549571) +
+          y * (Real(-0.33317368054749336) +
+               y * (Real(0.19807815564989179) +
+                    y * (Real(-0.13233342095574632) +
+                         y * (Real(0.07962367236561659) + y * (Real(-0.033604220565024996) +
+                                                               y * Real(0.006811793290873252)))))));
 }
 
 /// Angle of (x, y) from the x axis for y >= 0, in [0, pi]; 0 where both vanish.
@@ -48,6 +48,6 @@ FN Real eval_profile(Profile profile, Vec3 direction_profile) {
   Real vertical = half_turn_angle(d.z, sqrt(d.x * d.x + d.y * d.y)) * k_inv_pi;
   Real half_turn = half_turn_angle(d.x, abs(d.y)) * k_half_inv_pi;
   Real horizontal = select(d.y < Real(0.0), Real(1.0) - half_turn, half_turn);
-  return profile_lookup(profile, Vec2(table_coordinate(horizontal, size.x),
-                                      table_coordinate(vertical, size.y)));
+  return profile_lookup(
+      profile, Vec2(table_coordinate(horizontal, size.x), table_coordinate(vertical, size.y)));
 }

@@ -39,8 +39,8 @@ FN LightIntegral integrate_sphere_part(Sphere sphere, Vec3 position, Frame frame
 /// Integrals over a sphere seen from `position` (world space), for Lambert and for `lobe`. Zero
 /// inside: it emits outwards.
 FN LightIntegral integrate_sphere(Sphere sphere, Vec3 position, Frame frame, Lobe lobe) {
-  return integrate_sphere_part(sphere, position, frame, lobe,
-                               Vec3(Real(0.0), Real(0.0), Real(1.0)), false);
+  return integrate_sphere_part(sphere, position, frame, lobe, Vec3(Real(0.0), Real(0.0), Real(1.0)),
+                               false);
 }
 
 FN Heights sphere_heights(Sphere sphere, Vec3 position, Vec3 normal) {

@@ -15,22 +15,23 @@
 
 struct Surface {
   Vec3 position; // world space
-  Real position_error2; // square of the metres within which it is known; make_surface assumes single
-                        // precision
+  Real
+      position_error2; // square of the metres within which it is known; make_surface assumes single
+                       // precision
   Frame frame;
-  Vec3 wo;       // shading space: (sin theta, 0, cos theta)
+  Vec3 wo; // shading space: (sin theta, 0, cos theta)
   Real alpha;
-  Vec3 diffuse;  // k_d c, albedo of the Lambertian part
+  Vec3 diffuse; // k_d c, albedo of the Lambertian part
   Vec3 f0;
   Vec3 f90;
   FittedLobe fitted;
-  Vec3 specular; // F0 n1 + (F90 - F0) n5, the specular albedo
+  Vec3 specular;    // F0 n1 + (F90 - F0) n5, the specular albedo
   Real axis_weight; // n5/n1 less Schlick's weight in the lobe's mean direction
   Real inv_share;   // 1 / share_above_horizon
-  Vec3 geometric;   // of the triangle, unit, world space, on the viewer's side; make_surface assumes
-                    // the shading normal
-  bool tilted;      // whether the two differ in any lane: then what lies behind the triangle's plane is
-                    // hidden by it
+  Vec3 geometric; // of the triangle, unit, world space, on the viewer's side; make_surface assumes
+                  // the shading normal
+  bool tilted; // whether the two differ in any lane: then what lies behind the triangle's plane is
+               // hidden by it
 };
 
 /// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
@@ -107,8 +108,8 @@ FN LightIntegral cut_polygon_integral(Surface s, Polygon polygon) {
   if (all_lanes(heights.low >= Real(0.0))) {
     return integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
   }
-  LightIntegral integral = integrate_polygon_in_front(polygon, s.position, s.frame, s.fitted.lobe,
-                                                      front_shading(s));
+  LightIntegral integral =
+      integrate_polygon_in_front(polygon, s.position, s.frame, s.fitted.lobe, front_shading(s));
   return unless_hidden(s, heights, integral);
 }
 
@@ -126,8 +127,8 @@ FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
     heights = ellipse_heights(ellipse, s.position, s.geometric);
     cut = any_lane(heights.low < Real(0.0));
   }
-  LightIntegral integral = integrate_ellipse_part(ellipse, s.position, s.frame, s.fitted.lobe,
-                                                  front_shading(s), cut);
+  LightIntegral integral =
+      integrate_ellipse_part(ellipse, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
   if (cut) {
     return unless_hidden(s, heights, integral);
   }
@@ -141,8 +142,8 @@ FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
     heights = sphere_heights(sphere, s.position, s.geometric);
     cut = any_lane(heights.low < Real(0.0));
   }
-  LightIntegral integral = integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe,
-                                                 front_shading(s), cut);
+  LightIntegral integral =
+      integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
   if (cut) {
     return unless_hidden(s, heights, integral);
   }
@@ -156,8 +157,8 @@ FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
     heights = tube_heights(tube, s.position, s.geometric);
     cut = any_lane(heights.low < Real(0.0));
   }
-  LightIntegral integral = integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe,
-                                               front_shading(s), heights, cut);
+  LightIntegral integral =
+      integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe, front_shading(s), heights, cut);
   if (cut) {
     return unless_hidden(s, heights, integral);
   }
@@ -174,8 +175,8 @@ FN LightIntegral surface_line_integral(Surface s, Line line) {
   if (!cut) {
     return integrate_line(line, s.position, s.frame, s.fitted.lobe);
   }
-  LightIntegral integral = integrate_line_in_front(line, s.position, s.frame, s.fitted.lobe,
-                                                   front_shading(s));
+  LightIntegral integral =
+      integrate_line_in_front(line, s.position, s.frame, s.fitted.lobe, front_shading(s));
   return unless_hidden(s, heights, integral);
 }
 
@@ -218,8 +219,7 @@ FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
 
 /// The same of a light of no width, whose integral is per metre of it and has no upper bound.
 FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
-  Vec3 fresnel =
-      s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, integral.specular_direction);
+  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, integral.specular_direction);
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   shaded.specular = fresnel * (s.fitted.n1 * s.inv_share * integral.specular);
@@ -230,13 +230,12 @@ FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
 FN Vec3 shade_polygon_integral(Surface s, Polygon polygon, LightIntegral integral) {
   ShadedLight shaded = shade_integral(s, integral);
   Mask sided = has_side(s, polygon_origin(polygon), polygon_normal(polygon));
-  return select(sided, shaded.diffuse + shaded.specular,
-                Vec3(Real(0.0), Real(0.0), Real(0.0)));
+  return select(sided, shaded.diffuse + shaded.specular, Vec3(Real(0.0), Real(0.0), Real(0.0)));
 }
 
 FN Vec3 shade_whole_polygon(Surface s, Polygon polygon) {
-  return shade_polygon_integral(
-      s, polygon, integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe));
+  return shade_polygon_integral(s, polygon,
+                                integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe));
 }
 
 FN Vec3 shade_cut_polygon(Surface s, Polygon polygon) {
@@ -254,8 +253,7 @@ FN Vec3 shade_polygon(Surface s, Polygon polygon) {
 /// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but
 /// for k_d, whose definition holds the table's albedo.
 FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
-  return s.diffuse * eval_lambert(wi_shading) +
-         eval_ggx(s.wo, wi_shading, s.alpha, s.f0, s.f90);
+  return s.diffuse * eval_lambert(wi_shading) + eval_ggx(s.wo, wi_shading, s.alpha, s.f0, s.f90);
 }
 
 /// The LTC approximation of eval_surface, the limit of shade_polygon for a small light: Fresnel

@@ -43,8 +43,8 @@ FN TubeView tube_view(Tube tube, Vec3 position, Frame frame) {
   Vec3 foot = view.from - view.axis * dot(view.from, view.axis);
   Real height2 = dot(foot, foot);
   Mask on_axis = height2 <= Real(1.0e-12) * dot(view.from, view.from) + Real(k_tiny);
-  view.w = select(on_axis, any_perpendicular(view.axis),
-                  foot * inversesqrt(max(height2, Real(k_tiny))));
+  view.w =
+      select(on_axis, any_perpendicular(view.axis), foot * inversesqrt(max(height2, Real(k_tiny))));
   view.v = cross(view.axis, view.w);
   view.height = sqrt(height2);
   view.beside = view.height > tube.radius && !on_axis;
@@ -68,7 +68,7 @@ struct TubeEnd {
 /// space; `first`: whether it is the one at Tube.from, through which the outline runs from right to
 /// left; `whole`: whether this end is what points that are not beside the tube see.
 FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool first, Mask whole,
-                    Lobe lobe) {
+                         Lobe lobe) {
   Mask round = tube.caps > Real(1.5);
   Real distance2 = dot(center, center);
   Vec3 direction = center * inversesqrt(max(distance2, Real(k_tiny)));
@@ -90,8 +90,8 @@ FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool 
   Real end = first ? left : right;
   result.part.start = select(into, end, begin);
   result.part.extent = select(view.beside, select(into, back, forth), Real(2.0) * k_pi);
-  result.sign = select(view.beside, select(into, Real(-1.0), Real(1.0)),
-                       select(whole, Real(1.0), Real(0.0)));
+  result.sign =
+      select(view.beside, select(into, Real(-1.0), Real(1.0)), select(whole, Real(1.0), Real(0.0)));
   return result;
 }
 
@@ -120,8 +120,7 @@ FN Real tube_thickness(Tube tube, TubeView view, Lobe lobe) {
   Vec3 d = to_cosine(lobe, view.to) - a;
   Real t = min(max(-dot(a, d) / max(dot(d, d), Real(k_tiny)), Real(0.0)), Real(1.0));
   Vec3 nearest = a + d * t;
-  return tube.radius *
-         sqrt(lobe_stretch2(lobe) / max(dot(nearest, nearest), Real(k_tiny)));
+  return tube.radius * sqrt(lobe_stretch2(lobe) / max(dot(nearest, nearest), Real(k_tiny)));
 }
 
 /// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
@@ -287,8 +286,7 @@ FN Real tube_emission(Tube tube, Vec3 toward, Real power, Real side_mean) {
   Mask round = tube.caps > Real(1.5);
   Mask closed = tube.caps > Real(0.5);
   Real end = select(closed, k_pi * tube.radius * select(round, Real(1.0), cos_axis), Real(0.0));
-  Real end_mean =
-      select(round, Real(2.0) / (power + Real(2.0)), cosine_emission(cos_axis, power));
+  Real end_mean = select(round, Real(2.0) / (power + Real(2.0)), cosine_emission(cos_axis, power));
   Real sum = side * side_mean * cosine_emission(sin_axis, power) + end * end_mean;
   return sum / max(side + end, Real(k_tiny));
 }

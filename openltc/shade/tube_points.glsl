@@ -106,15 +106,15 @@ FN_CALL LightPoint sample_tube(Tube tube, Vec3 position, Vec2 u) {
 /// Sampling of Disk and Cylinder Lights", bounds a cylinder by a rectangle and throws away what
 /// misses.)
 struct SeenTube {
-  Vec3 axis;     // orthonormal, world space: along the tube,
-  Vec3 toward;   // to the foot of the perpendicular on the axis,
+  Vec3 axis;   // orthonormal, world space: along the tube,
+  Vec3 toward; // to the foot of the perpendicular on the axis,
   Vec3 across;
   Real distance; // of the axis, metres
   Real radius;
   Real tangent2; // square of the distance at which planes through the point touch
   Real from;     // places of the ends along the axis, from the foot
   Real to;
-  Real psi;      // 0 where the side is not seen
+  Real psi; // 0 where the side is not seen
   Real side_share;
   Real end_share; // of the end at `from`, or of the flat end that faces the point
   Real other_share;
@@ -192,10 +192,10 @@ FN_CALL SeenTube tube_seen(Tube tube, Vec3 position) {
   if (any_lane(seen.sees_disk)) {
     seen.seen_disk = ellipse_seen(seen.disk, position);
     Real mid = Real(0.5);
-    end = select(seen.sees_disk && seen.seen_disk.known,
-                 ellipse_solid_angle(seen.seen_disk, mid, mid,
-                                     ellipse_reach(seen.seen_disk, mid, mid)),
-                 end);
+    end = select(
+        seen.sees_disk && seen.seen_disk.known,
+        ellipse_solid_angle(seen.seen_disk, mid, mid, ellipse_reach(seen.seen_disk, mid, mid)),
+        end);
   }
   Real all = side + end + other;
   Real inv_all = Real(1.0) / max(all, Real(k_tiny));
@@ -221,26 +221,24 @@ FN_CALL Real tube_density(SeenTube seen, Vec3 position, Vec3 direction) {
                  abs(sin_psi) * seen.distance <= seen.radius && along >= interval.low &&
                  along <= interval.high;
   Real side_angle = Real(2.0) * seen.psi * (interval.high - interval.low);
-  Real density =
-      select(on_side, seen.side_share / max(side_angle, Real(k_tiny)), Real(0.0));
+  Real density = select(on_side, seen.side_share / max(side_angle, Real(k_tiny)), Real(0.0));
   // |direction - axis|^2 = 2 (1 - cos), exact where the cosine itself is not.
   Vec3 d = direction - seen.from_ball.axis;
   Mask on_from = seen.round && Real(0.5) * dot(d, d) <= seen.from_ball.one_minus_cos;
   d = direction - seen.to_ball.axis;
   Mask on_to = seen.round && Real(0.5) * dot(d, d) <= seen.to_ball.one_minus_cos;
   Real turn = Real(2.0) * k_pi;
-  density = density + select(on_from, seen.end_share / max(turn * seen.from_ball.one_minus_cos,
-                                                           Real(k_tiny)),
-                             Real(0.0));
-  density = density + select(on_to, seen.other_share / max(turn * seen.to_ball.one_minus_cos,
-                                                           Real(k_tiny)),
-                             Real(0.0));
+  density = density +
+            select(on_from, seen.end_share / max(turn * seen.from_ball.one_minus_cos, Real(k_tiny)),
+                   Real(0.0));
+  density = density +
+            select(on_to, seen.other_share / max(turn * seen.to_ball.one_minus_cos, Real(k_tiny)),
+                   Real(0.0));
   // Uniform shortcut: no lane sees a flat end.
   if (any_lane(seen.sees_disk)) {
     LightPoint on_disk = intersect_seen_ellipse(seen.disk, seen.seen_disk, position, direction);
     density = density + select(seen.sees_disk && on_disk.hit,
-                               seen.end_share / max(on_disk.solid_angle, Real(k_tiny)),
-                               Real(0.0));
+                               seen.end_share / max(on_disk.solid_angle, Real(k_tiny)), Real(0.0));
   }
   return density;
 }
@@ -272,8 +270,7 @@ FN_CALL LightPoint sample_seen_tube(Tube tube, SeenTube seen, Vec3 position, Vec
   Real sides_and_end = seen.side_share + seen.end_share;
   Mask on_end = !on_side && u.x < sides_and_end;
   Real before = select(on_side, Real(0.0), select(on_end, seen.side_share, sides_and_end));
-  Real share = select(on_side, seen.side_share,
-                      select(on_end, seen.end_share, seen.other_share));
+  Real share = select(on_side, seen.side_share, select(on_end, seen.end_share, seen.other_share));
   Real x = min(max((u.x - before) / max(share, Real(k_tiny)), Real(0.0)), Real(1.0));
 
   Real psi = seen.psi * (Real(2.0) * u.y - Real(1.0));
@@ -282,8 +279,8 @@ FN_CALL LightPoint sample_seen_tube(Tube tube, SeenTube seen, Vec3 position, Vec
   TubeInterval interval = tube_interval(seen, sin_psi, cos_psi);
   Real along = interval.low + (interval.high - interval.low) * x;
   Real cos_along = sqrt(max(Real(1.0) - along * along, Real(0.0)));
-  Vec3 direction = seen.axis * along + seen.toward * (cos_along * cos_psi) +
-                   seen.across * (cos_along * sin_psi);
+  Vec3 direction =
+      seen.axis * along + seen.toward * (cos_along * cos_psi) + seen.across * (cos_along * sin_psi);
 
   Sphere ball;
   ball.radius = tube.radius;

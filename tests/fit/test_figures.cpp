@@ -84,6 +84,11 @@ TEST_CASE("mean total variation: tables of 64 and 16 nodes, the ltc_code layout,
   }
 }
 
+// What docs/fitting.md says: better in every figure of its table at once, with thirty per cent less
+// L2 and L3. The published table is read both with the light below the horizon and without, and the
+// reading that is better for it counts. With points uniform in theta instead, which the docs speak
+// of as a variant, no margin is asked, and the largest twentieth of the peaks is compared with its
+// own reading alone.
 TEST_CASE("balanced beats the published table in every figure at once") {
   const auto published = testing::published_lobes();
   if (!published) {
@@ -100,23 +105,25 @@ TEST_CASE("balanced beats the published table in every figure at once") {
     const fit::TableError cut = measure(theirs, fit::Horizon::clipped, false, axis);
     MESSAGE("TV ", a.mean.tv, " for ", lost.mean.tv, " and ", cut.mean.tv, "; L2 ", a.mean.l2,
             " for ", lost.mean.l2, "; L3 ", a.mean.l3, " for ", lost.mean.l3, "; peak p95 ",
-            a.p95.peak, " for ", lost.p95.peak, "; leak ", a.mean.leak, " for ", lost.mean.leak);
+            a.p95.peak, " for ", lost.p95.peak, " and ", cut.p95.peak, "; leak ", a.mean.leak,
+            " for ", lost.mean.leak);
+    const bool documented = axis == table::AngleAxis::sqrt_one_minus_cos;
+    const double share = documented ? 0.7 : 1;
     CHECK(a.mean.tv < std::min(lost.mean.tv, cut.mean.tv));
     CHECK(a.mean.l1 < std::min(lost.mean.l1, cut.mean.l1));
-    const bool own_axis = axis == table::AngleAxis::sqrt_one_minus_cos;
-    const double less = own_axis ? 0.7 : 0.71;
-    CHECK(a.mean.l2 <= less * std::min(lost.mean.l2, cut.mean.l2));
-    CHECK(a.mean.l3 <= less * std::min(lost.mean.l3, cut.mean.l3));
-    CHECK(a.median.peak <= std::min(lost.median.peak, cut.median.peak));
-    CHECK(a.p95.peak <= lost.p95.peak);
-    if (own_axis) CHECK(a.p95.peak <= cut.p95.peak);
-    CHECK(a.mean.leak <= lost.mean.leak);
-    CHECK(a.max.leak <= lost.max.leak);
+    CHECK(a.mean.l2 < share * std::min(lost.mean.l2, cut.mean.l2));
+    CHECK(a.mean.l3 < share * std::min(lost.mean.l3, cut.mean.l3));
+    CHECK(a.median.peak < std::min(lost.median.peak, cut.median.peak));
+    CHECK(a.p95.peak < lost.p95.peak);
+    if (documented) CHECK(a.p95.peak < cut.p95.peak);
+    // Clipped, nothing is left to leak.
+    CHECK(a.mean.leak < lost.mean.leak);
+    CHECK(a.max.leak < lost.max.leak);
   }
   const double our_bends = fit::mean_second_difference(ours, 64);
   const double their_bends = fit::mean_second_difference(theirs, 64);
   MESSAGE("second differences ", our_bends, " for ", their_bends);
-  CHECK(our_bends <= their_bends);
+  CHECK(our_bends < their_bends);
 
   const std::vector<fit::MeasuredLobes> candidates = {
       {"balanced", ours, fit::Horizon::clipped},
@@ -125,6 +132,6 @@ TEST_CASE("balanced beats the published table in every figure at once") {
   const std::vector<fit::LightError> lights = *fit::measure_lights(ggx(), candidates, {});
   MESSAGE("random rectangles, RMSE: balanced ", lights[0].rmse, ", tv ", lights[1].rmse,
           ", published ", lights[2].rmse);
-  CHECK(lights[0].rmse < 0.6 * lights[2].rmse);
-  CHECK(lights[1].rmse < 0.45 * lights[2].rmse);
+  CHECK(lights[0].rmse < lights[2].rmse);
+  CHECK(lights[1].rmse < lights[0].rmse);
 }

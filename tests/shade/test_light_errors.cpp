@@ -12,7 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
 #include <string>
+#include <utility>
 
 using namespace openltc;
 using testing::ErrorFigures;
@@ -44,15 +48,53 @@ TEST_CASE("in double every shape's integral is exact") {
     }
     MESSAGE(std::string(testing::shape_name(shape)), ": largest difference ", worst, " in case ",
             where);
-    // The fits of angles are good to 1e-9.
-    CHECK(worst < 1e-6);
+    // The fits of angles are good to 1e-9, and double has them at a few ends of edges and arcs of
+    // each outline, of a narrow lobe multiplied by up to 1/alpha; docs/lights.md says 3e-9 of
+    // polygons.
+    const bool polygon = shape == LightShape::rectangle || shape == LightShape::polygon;
+    CHECK(worst < (polygon ? 3e-9 : 1e-7));
   }
 }
 
-TEST_CASE("in float the errors of every shape are what the documentation says") {
+namespace {
+
+// A figure of the table of docs/lights.md: "mean / 99 of 100 below / largest".
+struct StatedFigures {
+  double mean = 0, p99 = 0, largest = 0;
+};
+
+// Diffuse and specular figures by "shape surface", from the table that the bench wrote.
+std::map<std::string, std::pair<StatedFigures, StatedFigures>> stated_errors() {
+  std::ifstream page(OPENLTC_SOURCE_DIR "/docs/lights.md");
+  std::map<std::string, std::pair<StatedFigures, StatedFigures>> stated;
+  bool inside = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.find("light_figures: begin") != std::string::npos) inside = true;
+    if (line.find("light_figures: end") != std::string::npos) inside = false;
+    char shape[32] = "", surface[32] = "";
+    StatedFigures diffuse, specular;
+    if (inside && std::sscanf(line.c_str(), "| %31s | %31s | %lf / %lf / %lf | %lf / %lf / %lf |",
+                              shape, surface, &diffuse.mean, &diffuse.p99, &diffuse.largest,
+                              &specular.mean, &specular.p99, &specular.largest) == 8)
+      stated[std::string(shape) + " " + surface] = {diffuse, specular};
+  }
+  return stated;
+}
+
+} // namespace
+
+// The page's figures are of 100,000 lights, these of the first 3,000, or of other ones where
+// another compiler draws. The 99th percentile of the smooth ones, a fifth of 3,000, stands on six
+// lights and scatters by 40 %: it may be off by a factor of two either way. A mean is held up by
+// few lights, of spheres by one in 100,000: it may be smaller at will, and larger by a factor of
+// two and by what one light of the largest error stated adds to it.
+TEST_CASE("in float the errors of every shape are what docs/lights.md says") {
+  const auto stated = stated_errors();
+  CHECK(stated.size() == 2 * testing::k_light_shapes);
+  constexpr int count = 3000;
   for (int k = 0; k < testing::k_light_shapes; ++k) {
     const LightShape shape = testing::shape_of_index(k);
-    for (const testing::ShapeErrors& e : testing::measure_light_errors(shape, 3000)) {
+    for (const testing::ShapeErrors& e : testing::measure_light_errors(shape, count)) {
       const std::string name = testing::shape_name(shape);
       CAPTURE(name);
       CAPTURE(e.surfaces);
@@ -61,10 +103,15 @@ TEST_CASE("in float the errors of every shape are what the documentation says") 
               "; published mean ", e.published.mean);
       CHECK(e.specular.count > 500);
       CHECK(e.mean_integral > 0.01);
-      for (const ErrorFigures& f : {e.diffuse, e.specular}) {
-        CHECK(f.mean < 1e-5);
-        CHECK(f.p99 < 5e-5);
-      }
+      const auto found = stated.find(name + " " + e.surfaces);
+      REQUIRE(found != stated.end());
+      const auto check = [](const ErrorFigures& measured, const StatedFigures& figures) {
+        CHECK(measured.p99 < 2 * figures.p99);
+        CHECK(measured.p99 > 0.5 * figures.p99);
+        CHECK(measured.mean < 2 * figures.mean + figures.largest / double(measured.count));
+      };
+      check(e.diffuse, found->second.first);
+      check(e.specular, found->second.second);
       // The published approximations are there to be beaten; of lines the formula is exact.
       if (shape != LightShape::line) CHECK(e.specular.mean < 0.1 * e.published.mean);
     }

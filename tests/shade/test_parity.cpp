@@ -21,8 +21,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <deque>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -134,14 +135,14 @@ testing::ParityResources resources_of_round(int round, const testing::TestPolygo
 
 // Runs the scalar form of one number type over a batch.
 template <class R, class Evaluate>
-int run_scalar(const Batch& batch, const testing::ParityResources& resources, Evaluate evaluate,
-               std::vector<R>& out, const char** names) {
+int run_scalar(const std::vector<R>& in, const testing::ParityResources& resources,
+               Evaluate evaluate, std::vector<R>& out, const char** names) {
   out.resize(std::size_t(testing::k_parity_max_outputs) * k_count);
   int outputs = 0;
   for (int i = 0; i < k_count; ++i) {
     R inputs[testing::k_parity_inputs], results[testing::k_parity_max_outputs];
     for (int k = 0; k < testing::k_parity_inputs; ++k)
-      inputs[k] = R(batch.in[std::size_t(k * k_count + i)]);
+      inputs[k] = in[std::size_t(k * k_count + i)];
     outputs = evaluate(inputs, resources, results, names);
     for (int k = 0; k < outputs; ++k)
       out[std::size_t(k * k_count + i)] = results[k];
@@ -155,151 +156,175 @@ bool is_choice(const std::string& name) {
          name == "apex_side";
 }
 
-struct Comparison {
-  std::map<std::string, double> worst; // by function
-  double largest = 0;
-  std::string where;
-  int flipped = 0;
-  bool finite = true;
+// What each output of each element may differ by: what inputs that are off by a few units in the
+// last place of single precision make of it in double. A formula cannot be expected to be better:
+// its first operations have rounded as much. Where a ray grazes a plane or touches a rim, a lobe is
+// narrow or a view close to the normal that is much, and it is much for those elements alone.
+constexpr double k_input_error = 8 * 0x1p-24;
+constexpr int k_disturbances = 6;
+
+// The inputs with each one off by k_input_error, up or down: of itself, or of 1 for coordinates,
+// which are differences of others as soon as they are used.
+std::vector<double> disturbed(const std::vector<double>& in, Random& random) {
+  std::vector<double> out = in;
+  for (int k = 0; k < testing::k_parity_inputs; ++k) {
+    const bool coordinate = (k >= 1 && k <= 15) || (k >= 25 && k <= 27);
+    for (int i = 0; i < k_count; ++i) {
+      double& x = out[std::size_t(k * k_count + i)];
+      const double size = coordinate ? std::max(std::abs(x), 1.0) : std::abs(x);
+      x += (random.uniform() < 0.5 ? -1 : 1) * k_input_error * size;
+    }
+  }
+  return out;
+}
+
+// One round of inputs: the same for every number type, with the answers of single and double.
+struct Round {
+  int index = 0;
+  Batch batch;
+  std::unique_ptr<testing::TestPolygon> polygon;
+  std::vector<float> single;
+  std::vector<double> exact;
+  std::vector<float> uncertain; // what disturbed inputs make of `exact`
+  int outputs = 0;
+  const char* names[testing::k_parity_max_outputs] = {};
+
+  testing::ParityResources resources() const { return resources_of_round(index, *polygon); }
 };
 
-// Difference over max(|value|, 1): densities are relative, shares and directions absolute.
-template <class A, class B>
-void compare(const std::vector<A>& a, const std::vector<B>& b, int outputs, const char** names,
-             Comparison& result) {
-  for (int k = 0; k < outputs; ++k) {
-    for (int i = 0; i < k_count; ++i) {
-      const double x = double(a[std::size_t(k * k_count + i)]);
-      const double y = double(b[std::size_t(k * k_count + i)]);
-      if (!std::isfinite(x)) result.finite = false;
-      const double difference = std::abs(x - y) / std::max(std::abs(y), 1.0);
-      if (is_choice(names[k])) {
-        result.flipped += difference > 1e-3;
-        continue;
+// Five rounds of inputs, tables, profiles and polygons.
+const std::deque<Round>& rounds() {
+  static const std::deque<Round> all = [] {
+    std::deque<Round> made;
+    Random random(61), disturbance(71);
+    for (int k = 0; k < 5; ++k) {
+      Round& round = made.emplace_back();
+      round.index = k;
+      round.batch = make_batch(random);
+      const testing::Plane p = testing::random_plane(random, Vec3d(0, 0, 0));
+      round.polygon =
+          std::make_unique<testing::TestPolygon>(testing::shape(k), p.origin, p.u, p.v, k % 2 == 1);
+      const testing::ParityResources resources = round.resources();
+      const std::vector<double> in(round.batch.in.begin(), round.batch.in.end());
+      round.outputs =
+          run_scalar(round.batch.in, resources, f32::parity_evaluate, round.single, round.names);
+      run_scalar(in, resources, f64::parity_evaluate, round.exact, round.names);
+      round.uncertain.assign(round.exact.size(), 0);
+      std::vector<double> moved;
+      for (int n = 0; n < k_disturbances; ++n) {
+        run_scalar(disturbed(in, disturbance), resources, f64::parity_evaluate, moved, round.names);
+        for (std::size_t i = 0; i < moved.size(); ++i)
+          round.uncertain[i] =
+              std::max(round.uncertain[i], float(std::abs(moved[i] - round.exact[i])));
       }
-      double& worst = result.worst[names[k]];
-      worst = std::max(worst, difference);
-      if (difference > result.largest) {
-        result.largest = difference;
-        result.where = names[k];
+    }
+    return made;
+  }();
+  return all;
+}
+
+// What is allowed beyond. Six disturbances may miss what a seventh would show: of any function ten
+// of its values, of 20,480 for each number that it returns, may differ by more, by 1e-4 at most.
+// The others are called with inputs that parity_body.inc makes so that something is exact, for
+// disturbed inputs too; what rounding does behind that is not seen by disturbing.
+struct Beyond {
+  int count = 10;
+  double largest = 1e-4;
+};
+const std::map<std::string, Beyond>& exceptions() {
+  static const std::map<std::string, Beyond> all = {
+      // It undoes lobe_from_mirror and gives back what went in; on the way a narrow lobe magnifies
+      // rounding by 1/alpha, up to 400 here: 400 x 2^-24 for each of four operations.
+      {"mirror_from_lobe", {k_count, 1600 * 0x1p-24}},
+      // The ray goes to the centre, 1.7 away however it is disturbed; where it grazes the plane,
+      // rounding is divided by the cosine, 1e-4 for the smallest of 20,480.
+      {"intersect_ellipse", {200, 17 * 0x1p-24 / 1e-4}},
+      {"intersect_seen_ellipse", {200, 17 * 0x1p-24 / 1e-4}},
+      // To the middle of a tube likewise, whose side is met at an angle.
+      {"intersect_tube", {100, 1e-5}},
+      {"intersect_seen_tube", {100, 1e-5}},
+      // Where a direction lies on the outline, the place goes by the square root of rounding, or,
+      // on
+      // an end seen edge on, by rounding over the cosine at which it is seen.
+      {"sample_seen_tube", {1000, 5e-2}},
+      // One edge by itself may pass right by the pole of its plane, where its angle turns at once;
+      // the sum of an outline does not.
+      {"clipped_edge_term", {100, 1e-3}},
+      // The axes of cells turn quickly where the lobe is nearly round on the light.
+      {"emission_seen.diffuse", {50, 2e-4}},
+      {"emission_seen.specular", {50, 2e-4}}};
+  return all;
+}
+
+// The differences of two answers. Allowed are rounding of the result, relative where it exceeds 1:
+// ten units in the last place; and four times what disturbed inputs make of it.
+struct Comparison {
+  struct Function {
+    int beyond = 0;     // values that differ by more than is allowed
+    double largest = 0; // of their differences
+  };
+  std::map<std::string, Function> functions = {};
+  int flipped = 0;
+  bool finite = true;
+
+  template <class A, class B>
+  void add(const Round& round, const std::vector<A>& a, const std::vector<B>& b) {
+    for (int k = 0; k < round.outputs; ++k) {
+      for (int i = 0; i < k_count; ++i) {
+        const auto at = std::size_t(k * k_count + i);
+        const double x = double(a[at]), y = double(b[at]), size = std::max(std::abs(y), 1.0);
+        const double difference = std::abs(x - y);
+        if (!std::isfinite(x)) finite = false;
+        if (is_choice(round.names[k])) {
+          flipped += difference > 1e-3;
+          continue;
+        }
+        Function& function = functions[round.names[k]];
+        const double allowed = 10 * 0x1p-23 * size + 4 * double(round.uncertain[at]);
+        function.beyond += !(difference <= allowed);
+        if (!(difference <= allowed))
+          function.largest = std::max(function.largest, difference / size);
       }
     }
   }
-}
+
+  void check() const {
+    for (const auto& entry : functions) {
+      const std::string& name = entry.first;
+      const Function& function = entry.second;
+      const auto found = exceptions().find(name);
+      const Beyond beyond = found != exceptions().end() ? found->second : Beyond{};
+      CAPTURE(name);
+      CHECK(function.beyond <= beyond.count);
+      if (function.beyond > 0) {
+        MESSAGE(name, ": ", function.beyond, " beyond, largest ", function.largest);
+        CHECK(function.largest <= beyond.largest);
+      }
+    }
+    CHECK(finite);
+  }
+};
 
 void check_lanes(testing::ParityRun run, int lanes) {
-  Random random(61);
   Comparison result;
-  int outputs = 0;
-  for (int round = 0; round < 5; ++round) {
-    const Batch batch = make_batch(random);
-    const testing::Plane p = testing::random_plane(random, Vec3d(0, 0, 0));
-    const testing::TestPolygon polygon(testing::shape(round), p.origin, p.u, p.v, round % 2 == 1);
-    const char* names[testing::k_parity_max_outputs] = {};
-    std::vector<float> scalar, vector(std::size_t(testing::k_parity_max_outputs) * k_count);
-    const testing::ParityResources resources = resources_of_round(round, polygon);
-    outputs = run_scalar(batch, resources, f32::parity_evaluate, scalar, names);
-    CHECK(run(batch.in.data(), k_count, resources, vector.data()) == outputs);
-    compare(vector, scalar, outputs, names, result);
+  for (const Round& round : rounds()) {
+    std::vector<float> vector(round.single.size());
+    CHECK(run(round.batch.in.data(), k_count, round.resources(), vector.data()) == round.outputs);
+    result.add(round, vector, round.single);
   }
-  MESSAGE(lanes, " lanes: largest difference from float ", result.largest, " in ", result.where,
-          "; choices that fell differently ", result.flipped);
-  CHECK(result.finite);
-  // Lanes fuse multiply and add and take their inverse square roots by a Newton step: a few units
-  // in the last place, 1e-6, and more only where a function magnifies its input's rounding.
-  const std::map<std::string, double> bounds = {
-      // the tangent of a view close to the normal is a difference of nearly equal vectors
-      {"shading_frame", 1e-5},
-      {"to_shading", 1e-5},
-      {"to_world", 1e-5},
-      {"make_surface", 1e-5},
-      // wo.h = sqrt((1 + wo.wi)/2) magnifies the rounding of opposite directions, at grazing views
-      {"make_surface.axis_weight", 2e-4},
-      // narrow lobes magnify the rounding of directions by 1/alpha, here up to 400
-      {"sample_ggx", 1e-4},
-      {"eval_ggx", 1e-4},
-      {"eval_ggx_terms", 1e-4},
-      {"pdf_ggx", 1e-4},
-      {"eval_surface", 1e-4},
-      {"eval_surface_ltc", 1e-4},
-      {"pdf_surface", 1e-4},
-      {"sample_surface", 1e-4},
-      {"mirror_from_lobe", 1e-4},
-      {"eval_lobe", 1e-4},
-      {"pdf_lobe", 1e-4},
-      // one edge by itself may pass right by the pole of its plane; the sum of an outline does not
-      {"edge_term", 1e-5},
-      {"edge_term_above", 1e-5},
-      {"clipped_edge_term", 1e-3},
-      {"integrate_polygon", 5e-5},
-      {"shade_polygon", 5e-5},
-      // the triangle's plane may cut right through a narrow lobe
-      {"shade_polygon.tilted", 2e-4},
-      // the axes of cells turn quickly where the lobe is nearly round on the light
-      {"emission_seen.diffuse", 2e-4},
-      {"emission_seen.specular", 2e-4},
-      {"integrate_ellipse", 5e-5},
-      {"integrate_sphere", 5e-5},
-      {"integrate_tube", 1e-4},
-      {"integrate_line", 1e-4},
-      {"intersect_tube", 5e-3},
-      {"sample_tube", 3e-5},
-      {"sample_line", 1e-5},
-      {"tube_emission", 5e-4},
-      {"sample_ellipse", 1e-5},
-      {"sample_sphere", 1e-5},
-      // thin triangles and rays that graze the plane
-      {"sample_spherical_triangle", 1e-4},
-      {"polygon_point_towards", 1e-3},
-      // rays that graze the light's plane
-      {"intersect_polygon", 1e-3},
-      {"intersect_ellipse", 5e-3},
-      {"intersect_seen_ellipse", 5e-3},
-      {"intersect_seen_tube", 1e-5},
-      {"sample_seen_ellipse", 1e-5},
-      // drawn on a rim that the ray just touches
-      {"sample_seen_tube", 5e-2}};
-  for (const auto& entry : result.worst) {
-    const std::string& name = entry.first;
-    const double worst = entry.second;
-    CAPTURE(name);
-    const auto bound = bounds.find(name);
-    CHECK(worst <= (bound != bounds.end() ? bound->second : 1.2e-6));
-  }
+  MESSAGE(lanes, " lanes; choices that fell differently: ", result.flipped);
+  result.check();
   CHECK(result.flipped <= 5);
 }
 
 } // namespace
 
 TEST_CASE("float follows double in every function") {
-  Random random(61);
   Comparison result;
-  for (int round = 0; round < 5; ++round) {
-    const Batch batch = make_batch(random);
-    const testing::Plane p = testing::random_plane(random, Vec3d(0, 0, 0));
-    const testing::TestPolygon polygon(testing::shape(round), p.origin, p.u, p.v, round % 2 == 1);
-    const char* names[testing::k_parity_max_outputs] = {};
-    std::vector<float> single;
-    std::vector<double> exact;
-    const testing::ParityResources resources = resources_of_round(round, polygon);
-    const int outputs = run_scalar(batch, resources, f32::parity_evaluate, single, names);
-    CHECK(run_scalar(batch, resources, f64::parity_evaluate, exact, names) == outputs);
-    compare(single, exact, outputs, names, result);
-  }
-  MESSAGE("largest difference ", result.largest, " in ", result.where,
-          "; choices that fell differently ", result.flipped);
-  CHECK(result.finite);
-  for (const auto& entry : result.worst) {
-    const std::string& name = entry.first;
-    const double worst = entry.second;
-    CAPTURE(name);
-    // Rays that graze the light's plane meet it far away.
-    const bool grazes =
-        name == "intersect_ellipse" || name == "intersect_seen_ellipse" || name == "intersect_tube";
-    // Drawn on a rim that the ray just touches.
-    const bool touches = name == "sample_seen_tube";
-    CHECK(worst < (touches ? 5e-2 : grazes ? 2e-2 : 2e-4));
-  }
+  for (const Round& round : rounds())
+    result.add(round, round.single, round.exact);
+  MESSAGE("choices that fell differently: ", result.flipped);
+  result.check();
   CHECK(result.flipped <= 20);
 }
 

@@ -33,5 +33,6 @@ layout(location = 3) in vec2 in_random;
 layout(location = 0) out vec4 out_color;
 
 void main() {
-  out_color = vec4(shade_everything(in_position, normalize(in_normal), normalize(in_wo), in_random), 1.0);
+  out_color =
+      vec4(shade_everything(in_position, normalize(in_normal), normalize(in_wo), in_random), 1.0);
 }
