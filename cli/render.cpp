@@ -405,7 +405,7 @@ void add_render(CLI::App& app, int& exit_code) {
       ->add_option("--light-error", a.light_error,
                    "Scenes of many area lights: how far a surface's light may be from that of all "
                    "lights one by one, as a fraction of what surfaces there reflect, shadows "
-                   "included, and at most of the view's median. Within it, lights are left out or "
+                   "included, and of what they emit. Within it, lights are left out or "
                    "taken in groups; 0 shades all")
       ->check(number(0, 1))
       ->type_name("FRACTION")

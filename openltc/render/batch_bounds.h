@@ -33,7 +33,7 @@ enum BoundField {
   k_bound_grazing = k_bound_specular + 3, ///< (F90 - F0) n1, r g b
   k_bound_axis_weight = k_bound_grazing + 3, ///< size of Surface::axis_weight
   k_bound_stretch,   ///< how M^-1 magnifies an emitter's area times its distance from a centre
-  k_bound_stretch2,  ///< the same times the square of the distance
+  k_bound_longest,   ///< and at most how it magnifies any distance
   k_bound_geometric, ///< normal of the triangle
   k_bound_tilt = k_bound_geometric + 3, ///< length of its difference from the shading normal
   k_bound_field_count

@@ -15,12 +15,12 @@
 // For a given least q of o_x^2 + o_y^2 this is largest at o_z^2 = q/3, or at the end of o_z's range
 // that is nearest to it.
 //
-// The far form takes all lights for one patch in their centre. A small patch of area vector m at d
-// has the form factor f = (n.d)(m.d) / (pi |d|^4), and in cosine space so has the lobe's share,
-// with n = z, M^-1 d instead of d and det M^T m instead of m. In Taylor's series of f around the
-// centre, the term of first order is a sum of m (p - centre)^T, which is all but nil for lights
-// that face the same way, and the remainder is bounded by the largest second derivative on the way,
-// which falls with the fourth power of the least distance.
+// The far form takes all lights for one patch in their centre, with moments. A small patch of area
+// vector m at d has the form factor f = (n.d)(m.d) / (pi |d|^4), and in cosine space so has the
+// lobe's share, with n = z, M^-1 d instead of d and det M^T m instead of m. The far form is
+// Taylor's series of f around the centre up to second order. It errs by what the moments are off by
+// (see FarLight), times the derivative at the centre, and by the remainder, which is bounded by the
+// largest third derivative on the way and falls with the fifth power of the least distance.
 
 #include "openltc/render/light_bound.h"
 
@@ -39,12 +39,21 @@ constexpr float k_pi = std::numbers::pi_v<float>;
 constexpr float k_slack = 4.0e-6f;
 constexpr float k_margin = 1.0001f; // the same for a product of a dozen factors
 
-// Of f(d) = (n.d)(m.d) / |d|^4 for unit n and m, at |d| = 1. Its derivative is linear in m u^T, u
-// the direction of the step, with the matrix d n^T + (n.d) (1 - 4 d d^T), whose squared Frobenius
-// norm is 1 + 5 (n.d)^2. Its second derivative is bilinear in n and m with the matrix 2 u u^T - 8 k
-// (u d^T + d u^T) + (24 k^2 - 4) d d^T, k = d.u, of norm 6 at most, at k = 1.
-const float k_gradient = std::sqrt(6.0f);
-constexpr float k_curvature = 6;
+// Of f(d) = (n.d)(m.d) / |d|^4 for unit n, at |d| = 1, in a step u with k = d.u: by Gegenbauer's
+// series |d + t u|^-4 = 1 - 4k t + (12 k^2 - 2) t^2 + (12 k - 32 k^3) t^3 + ... The coefficients of
+// f:
+//   t    linear in m u^T, with the matrix d n^T + (n.d) (1 - 4 d d^T), whose squared Frobenius norm
+//        is 1 + 5 (n.d)^2;
+//   t^2  linear in the tensor m u u^T, with the Frobenius norm sqrt(26) at most, at n = d; for one
+//   m
+//        and one u of norm 3 at most, at n = m = d = u;
+//   t^3  bilinear in n and m, with the matrix (12 k - 32 k^3) d d^T + (12 k^2 - 2)(d u^T + u d^T) -
+//   4 k
+//        u u^T, of norm 4 at most, at k = 1.
+const float k_first_order = std::sqrt(6.0f);
+const float k_second_order = std::sqrt(26.0f);
+constexpr float k_second_one = 3;
+constexpr float k_third_order = 4;
 
 struct Interval {
   float lower = 0, upper = 0;
@@ -169,10 +178,9 @@ PreparedBatch::PreparedBatch(const BatchBounds& b) : bounds(b) {
     }
 }
 
-LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
+LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
+                       const FarError& far) {
   const BatchBounds& batch = prepared.bounds;
-  const LightExtent& extent = light.extent;
-  const FarLight& far = light.far;
   LightBound bound;
   const Box position = field3(batch, k_bound_position);
   Reach reach;
@@ -221,23 +229,30 @@ LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
 
   // The far form stands where every light faces a point or none does. Where a horizon may cut one,
   // it errs by what is on the other side, (n.d)(m.d) / |d|^4 < |p - centre| / |d|^3 for the diffuse
-  // part; the specular part is cut off there and is left out.
+  // part, and the same in cosine space at the lobe's own horizon; where the surface's cuts off the
+  // specular part, that is left out.
   const bool far_diffuse = far.valid && (far.planar || cosines_light.upper < 0);
   // Between a triangle's plane and its horizon n.d is at most |d| times the tilt; what the centre
   // or a light wrongly has there is that, beside what the horizon would cut.
   const bool cut = cos_surface.lower <= 0 || behind_some;
   const float hidden = behind_some ? tilt : 0.0f;
-  const bool far_specular = far_diffuse && !cut && lobe.above;
+  const bool far_specular = far_diffuse && !cut;
   const float inv_near = reach.inv_nearest, inv_near3 = inv_near * inv_near2;
-  const float inv_near4 = inv_near2 * inv_near2;
+  const float inv_near4 = inv_near2 * inv_near2, inv_near5 = inv_near4 * inv_near;
   const float inv_o2 = 1 / std::max(lobe.least_length2, 1.0e-8f);
   const float inv_o3 = inv_o2 * std::sqrt(inv_o2);
   // Schlick's weight turns by at most this per radian: 5 (1 - cos h)^4 sin h, h half the angle.
   const float turned =
       std::min(2.5f * m * m * m * m * spread(extent) * inv_near, 1.0f) + axis_weight;
 
-  float all = 0, specular_left_out = 0, diffuse_error = 0, specular_error = 0;
-  const auto channel = [&](float radiance, float intensity, float first, float second, int c) {
+  const float stretch = batch.upper[k_bound_stretch], longest = batch.upper[k_bound_longest];
+  const float inv_o4 = inv_o2 * inv_o2, inv_o5 = inv_o2 * inv_o3;
+  float all = 0, specular_left_out = 0;
+  struct {
+    float diffuse = 0, specular = 0;
+  } moments, plain; // the errors of both far forms
+  const auto channel = [&](float radiance, float intensity, float first, float first_error,
+                           float second_error, float second, float third, int c) {
     const float flux = std::min(intensity * form, 2 * k_pi * radiance); // radiance, solid angle
     const float diffuse = batch.upper[k_bound_diffuse + c] *
                           std::min(flux * cos_surface.upper * (1 / k_pi), radiance);
@@ -246,33 +261,48 @@ LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light) {
     const float lobe_light = std::min(flux * density, radiance);
     all = std::max(all, diffuse + fresnel * lobe_light);
     specular_left_out = std::max(specular_left_out, fresnel * lobe_light);
-    diffuse_error =
-        std::max(diffuse_error,
-                 batch.upper[k_bound_diffuse + c] * (1 / k_pi) *
-                     ((cut ? std::sqrt(second * intensity) * inv_near3 : 0.0f) + hidden * flux +
-                      k_gradient * first * inv_near3 + 0.5f * k_curvature * second * inv_near4));
-    const float change = std::max(grazing, -batch.lower[k_bound_grazing + c]);
-    specular_error =
-        std::max(specular_error,
-                 fresnel * (k_gradient * batch.upper[k_bound_stretch] * first * inv_near3 * inv_o3 +
-                            0.5f * k_curvature * batch.upper[k_bound_stretch2] * second *
-                                inv_near4 * inv_o2 * inv_o2) +
-                     change * turned * lobe_light);
+    if (!far_diffuse) return;
+
+    const float beyond = std::sqrt(second * intensity) * inv_near3; // what a horizon may cut
+    const float first1 = k_first_order * first * inv_near3,
+                second1 = k_second_one * second * inv_near4;
+    const float first2 = k_first_order * first_error * inv_near3,
+                second2 = k_second_order * second_error * inv_near4,
+                third2 = k_third_order * third * inv_near5;
+    const float albedo = batch.upper[k_bound_diffuse + c] * (1 / k_pi);
+    const float cut_off = (cut ? beyond : 0.0f) + hidden * flux;
+    plain.diffuse = std::max(plain.diffuse, albedo * (cut_off + first1 + second1));
+    moments.diffuse = std::max(moments.diffuse, albedo * (cut_off + first2 + second2 + third2));
+    if (!far_specular) return;
+    const float below = lobe.above ? 0.0f : beyond * inv_o3;
+    const float change = std::max(grazing, -batch.lower[k_bound_grazing + c]) * turned * lobe_light;
+    plain.specular = std::max(
+        plain.specular,
+        fresnel * stretch * (below + first1 * inv_o3 + longest * second1 * inv_o4) + change);
+    moments.specular = std::max(moments.specular,
+                                fresnel * stretch *
+                                        (below + first2 * inv_o3 +
+                                         longest * (second2 * inv_o4 + longest * third2 * inv_o5)) +
+                                    change);
   };
-  channel(extent.radiance.x, extent.intensity.x, far.first.x, far.second.x, 0);
-  channel(extent.radiance.y, extent.intensity.y, far.first.y, far.second.y, 1);
-  channel(extent.radiance.z, extent.intensity.z, far.first.z, far.second.z, 2);
+  channel(extent.radiance.x, extent.intensity.x, far.first.x, far.first_error.x, far.second_error.x,
+          far.second.x, far.third.x, 0);
+  channel(extent.radiance.y, extent.intensity.y, far.first.y, far.first_error.y, far.second_error.y,
+          far.second.y, far.third.y, 1);
+  channel(extent.radiance.z, extent.intensity.z, far.first.z, far.first_error.z, far.second_error.z,
+          far.second.z, far.third.z, 2);
 
   const auto limited = [&](float v) {
     v *= k_margin;
     return v < k_unbounded ? v : k_unbounded;
   };
   bound.all = limited(all * narrow);
-  bound.far_error = k_unbounded;
+  bound.far_error = bound.plain_error = k_unbounded;
   if (!far_diffuse) return bound;
-  bound.far_specular = far_specular && specular_error < specular_left_out;
-  bound.far_error =
-      limited(diffuse_error + (bound.far_specular ? specular_error : specular_left_out));
+  bound.far_specular = far_specular && moments.specular < specular_left_out;
+  if (!bound.far_specular) moments.specular = plain.specular = specular_left_out;
+  bound.far_error = limited(moments.diffuse + moments.specular);
+  bound.plain_error = limited(plain.diffuse + plain.specular);
   return bound;
 }
 

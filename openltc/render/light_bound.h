@@ -15,6 +15,7 @@ namespace openltc::render {
 struct LightBound {
   float all = 0;             ///< at least what any point reflects of it, in nits and any channel
   float far_error = 0;       ///< at least the error, at any point, of the group's far form
+  float plain_error = 0;     ///< the same of its far form without moments
   bool far_specular = false; ///< whether that form has a specular part; without one it errs less
 };
 
@@ -30,6 +31,7 @@ struct PreparedBatch {
 
 /// Bounds of the radiance, in nits and in any channel, that any point of the batch reflects from
 /// the lights of a group together, in the closed form without shadow. At most k_unbounded.
-LightBound bound_light(const PreparedBatch& prepared, const TreeLight& light);
+LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
+                       const FarError& far);
 
 } // namespace openltc::render

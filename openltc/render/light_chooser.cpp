@@ -10,9 +10,7 @@
 #include "openltc/render/light_chooser.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace openltc::render {
@@ -21,7 +19,7 @@ namespace {
 
 // Costs in terms of shading one point by one light without shadow: bounding a node of the light
 // tree for a range of points, shading by a far group, shading with shadow rays.
-constexpr double k_choosing_cost = 18, k_far_cost = 0.3, k_traced_cost = 20;
+constexpr double k_choosing_cost = 40, k_far_cost = 0.2, k_traced_cost = 20;
 constexpr double k_wide = 1; // points so far apart, or so turned, are split at once
 // Lights of a range of points that have shadow rays of their own; dimmer ones share a ratio.
 constexpr std::size_t k_most_traced = 16;
@@ -32,7 +30,8 @@ constexpr std::size_t k_probe_points = 16;
 constexpr std::size_t k_darker_points = 3;
 // What is darker than this share of the view's level counts as that bright: errors there are 1/50
 // of what is allowed elsewhere, far below what a display or an eye that sees the rest can show.
-constexpr double k_darkest = 0.02;
+constexpr double k_darkest = 0.1;
+constexpr double k_brightest = 16;
 // A choice that allows at most so much more than its range turns out to deserve is kept.
 constexpr double k_near_enough = 1.25;
 
@@ -53,53 +52,77 @@ Lighting lighting_of(const LightChoice& choice) {
 LightChooser::LightChooser(const Kernel& kernel, const KernelContext& context,
                            const LightTree& tree, LightErrorScale scale)
     : kernel_(kernel), context_(context), tree_(tree), scale_(scale),
-      light_spacing_(tree.spacing()), probe_(k_probe_points) {}
+      light_spacing_(tree.spacing()), probe_(k_probe_points), probe_levels_(k_probe_points) {}
 
 void LightChooser::light(PointBuffer& points, PointBuffer::Range range, const Shade& shade) {
-  light(points, range, scale_.light_error * scale_.view_nits, false, shade);
+  light(points, range, k_brightest * scale_.view_nits, false, shade);
 }
 
-void LightChooser::light(PointBuffer& points, PointBuffer::Range range, double tolerance,
-                         bool measured, const Shade& shade) {
+void LightChooser::light(PointBuffer& points, PointBuffer::Range range, double level, bool measured,
+                         const Shade& shade) {
+  take_probe(points, range);
+  const double emission = darker_emission();
+  if (!measured) level = std::max(level, emission);
+  const double tolerance = scale_.light_error * level;
   const bool traced = context_.trace != nullptr;
-  const std::size_t most_exact = traced ? k_most_traced : std::numeric_limits<std::size_t>::max();
+  const std::size_t most_exact = traced ? k_most_traced : LightTree::k_all_exact;
   const BatchBounds bounds = points.measure(kernel_, context_, range);
   const Width width = widest_field(bounds);
   bool split = range.size() >= 4 * k_smallest_range && width.relative > k_wide;
   if (!split) {
-    const std::size_t nodes = tree_.choose(bounds, tolerance, choice_);
+    // A range that has been measured goes on with the choice that was measured.
+    if (measured)
+      tree_.refine(bounds, tolerance, choice_);
+    else
+      tree_.choose(bounds, tolerance, choice_);
     if (range.size() >= 2 * k_smallest_range) {
       const double own = double(std::min(choice_.single_count, most_exact));
-      const double shared = double(choice_.entries.size()) - own;
-      const double shading =
-          double(range.size()) * (own * (traced ? k_traced_cost : 1.0) + k_far_cost * shared);
-      split = shading * std::min(width.relative, 1.0) > k_choosing_cost * double(nodes);
+      const double exact = double(choice_.single_count) - own;
+      const double groups = double(choice_.entries.size() - choice_.single_count);
+      const double shading = double(range.size()) *
+                             (own * (traced ? k_traced_cost : 1.0) + exact + k_far_cost * groups);
+      split = shading * std::min(width.relative, 1.0) > k_choosing_cost * double(choice_.bounded);
     }
   }
   if (split) {
     const std::size_t middle = points.split(range, width.field);
-    light(points, {range.begin, middle}, tolerance, false, shade);
-    light(points, {middle, range.end}, tolerance, false, shade);
+    light(points, {range.begin, middle}, level, false, shade);
+    light(points, {middle, range.end}, level, false, shade);
     return;
   }
-  if (!measured || traced) {
-    // What the range shows, and of which lights.
-    tree_.arrange(traced ? k_most_probed : most_exact, choice_);
-    const double level =
-        std::clamp(measure_level(points, range), k_darkest * scale_.view_nits, scale_.view_nits);
-    if (!measured && tolerance > k_near_enough * scale_.light_error * level) {
-      light(points, range, scale_.light_error * level, true, shade);
-      return;
-    }
+  // What the range shows, and of which lights.
+  tree_.arrange(traced ? k_most_probed : most_exact, choice_);
+  const double shown = std::clamp(measure_level(), k_darkest * scale_.view_nits,
+                                  k_brightest * scale_.view_nits + emission);
+  if (level > k_near_enough * shown) {
+    light(points, range, shown, true, shade);
+    return;
   }
   tree_.arrange(most_exact, choice_);
   shade(range, choice_);
 }
 
-double LightChooser::measure_level(const PointBuffer& points, PointBuffer::Range range) {
-  const bool traced = context_.trace != nullptr;
+void LightChooser::take_probe(const PointBuffer& points, PointBuffer::Range range) {
   probe_.clear();
   points.thin(range, k_probe_points, probe_);
+}
+
+double LightChooser::darker_emission() {
+  for (std::size_t p = 0; p < probe_.size(); ++p)
+    probe_levels_[p] = probe_.emission(p);
+  return darker_level();
+}
+
+double LightChooser::darker_level() {
+  const std::size_t count = probe_.size();
+  const std::size_t darker = std::min(k_darker_points * count / k_probe_points, count - 1);
+  const auto begin = probe_levels_.begin();
+  std::nth_element(begin, begin + std::ptrdiff_t(darker), begin + std::ptrdiff_t(count));
+  return double(probe_levels_[darker]);
+}
+
+double LightChooser::measure_level() {
+  const bool traced = context_.trace != nullptr;
   const std::size_t count = probe_.size();
   KernelContext context = context_;
   context.light_samples = 1;
@@ -121,7 +144,6 @@ double LightChooser::measure_level(const PointBuffer& points, PointBuffer::Range
   probe_.shade(kernel_, context, probe_.all(), lighting, probe_radiance_,
                {probe_sums_, int(count)});
 
-  std::array<float, k_probe_points> levels{};
   if (traced) {
     for (std::size_t slot = 0; slot < slots; ++slot) {
       double reached = 0, all = 0;
@@ -150,11 +172,8 @@ double LightChooser::measure_level(const PointBuffer& points, PointBuffer::Range
           far_reach_[2 * g] > 0 ? far_reach_[2 * g + 1] / far_reach_[2 * g] : 1;
   }
   for (std::size_t p = 0; p < count; ++p)
-    levels[p] = largest(probe_radiance_[p]);
-  const std::size_t darker = std::min(k_darker_points * count / k_probe_points, count - 1);
-  std::nth_element(levels.begin(), levels.begin() + std::ptrdiff_t(darker),
-                   levels.begin() + std::ptrdiff_t(count));
-  return double(levels[darker]);
+    probe_levels_[p] = largest(probe_radiance_[p]) + probe_.emission(p);
+  return darker_level();
 }
 
 LightChooser::Width LightChooser::widest_field(const BatchBounds& bounds) const {

@@ -31,14 +31,20 @@ public:
 
   /// Splits a range of points until all of it can be lit by one choice, and calls `shade` for each
   /// part, in ascending order. A part's choice is within light_error of what a few of its points
-  /// reflect, shadows included, and never more than light_error of the level of the view.
+  /// show: what they reflect, shadows included, but no more of it than the level of the view, and
+  /// what they emit.
   using Shade = std::function<void(PointBuffer::Range, const LightChoice&)>;
   void light(PointBuffer& points, PointBuffer::Range range, const Shade& shade);
 
 private:
-  void light(PointBuffer& points, PointBuffer::Range range, double tolerance, bool measured,
+  // `level`, in nits, is what the range is taken to show; `measured`, what it was found to.
+  void light(PointBuffer& points, PointBuffer::Range range, double level, bool measured,
              const Shade& shade);
-  double measure_level(const PointBuffer& points, PointBuffer::Range range);
+  void take_probe(const PointBuffer& points, PointBuffer::Range range);
+  // Of the probe: a level that all but a few of its points have.
+  double measure_level();
+  double darker_emission();
+  double darker_level();
 
   // By what points differ most: turned by a radian counts as much as being apart by the distance of
   // the lights from each other.
@@ -56,6 +62,7 @@ private:
   LightChoice choice_;
   // The few points that are asked what they show.
   PointBuffer probe_;
+  std::vector<float> probe_levels_;
   std::vector<Vec3f> probe_radiance_;
   std::vector<float> probe_sums_, far_reach_;
   std::vector<std::int32_t> probe_slots_;

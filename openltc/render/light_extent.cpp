@@ -109,10 +109,37 @@ LightExtent extent_of(const light::LineLight& light) {
   return extent;
 }
 
-FarLight far_of(const light::PolygonLight& light) {
-  FarLight far;
+/// A symmetric matrix: xx yy zz yz xz xy.
+struct Symmetric {
+  double at[6] = {0, 0, 0, 0, 0, 0};
+
+  Symmetric() = default;
+  explicit Symmetric(Vec3d v)
+      : at{v.x * v.x, v.y * v.y, v.z * v.z, v.y * v.z, v.x * v.z, v.x * v.y} {}
+  explicit Symmetric(const float (&of)[6]) { std::copy_n(of, 6, at); }
+
+  Symmetric& operator+=(const Symmetric& other) {
+    for (int k = 0; k < 6; ++k)
+      at[k] += other.at[k];
+    return *this;
+  }
+  double trace() const { return at[0] + at[1] + at[2]; }
+  void store(double scale, float (&to)[6]) const {
+    for (int k = 0; k < 6; ++k)
+      to[k] = float(at[k] * scale);
+  }
+};
+
+Symmetric operator+(Symmetric a, const Symmetric& b) { return a += b; }
+Symmetric operator*(Symmetric a, double scale) {
+  for (double& v : a.at)
+    v *= scale;
+  return a;
+}
+
+void set_far(const light::PolygonLight& light, FarLight& far, FarError& error) {
   if (light.two_sided || light.cosine_power > 0 || light.texture >= 0 || light.vertices.empty())
-    return far;
+    return;
   const Vec3d normal = to_double(light.normal), origin = to_double(light.vertices.front());
   // Signed triangles of a fan around a point, ring by ring.
   const auto over_triangles = [&](Vec3d apex, const auto& visit) {
@@ -131,19 +158,31 @@ FarLight far_of(const light::PolygonLight& light) {
     area += triangle;
     center += (a + b) * (triangle / 3);
   });
-  if (!(area > 0)) return far;
+  if (!(area > 0)) return;
   center = origin + center / area;
-  double second = 0;
+  far.center = to_float(center);
+  center = to_double(far.center);
+  Symmetric second;
+  double fourth = 0;
   over_triangles(center, [&](Vec3d a, Vec3d b, double triangle) {
-    second += triangle / 6 * (dot(a, a) + dot(b, b) + dot(a, b));
+    for (const Vec3d& v : {a, b, a + b})
+      second += Symmetric(v) * (triangle / 12);
+    // |p|^4 along the edge is the square of p + q t + r t^2; a triangle has a third of its mean.
+    const Vec3d edge = b - a;
+    const double p = dot(a, a), q = 2 * dot(a, edge), r = dot(edge, edge);
+    fourth += triangle / 3 * (p * p + p * q + (q * q + 2 * p * r) / 3 + q * r / 2 + r * r / 5);
   });
-  far.valid = true;
-  far.center = Vec3f(float(center.x), float(center.y), float(center.z));
+  error.valid = true;
   const float radiance[3] = {light.radiance.x, light.radiance.y, light.radiance.z};
+  const double power = double(radiance[0]) + double(radiance[1]) + double(radiance[2]);
   for (int c = 0; c < 3; ++c)
     far.moment[c] = light.normal * (radiance[c] * float(area));
-  far.second = light.radiance * float(std::max(second, 0.0));
-  return far;
+  if (power > 0) far.channel = light.radiance * float(1 / power);
+  second.store(1 / area, far.covariance);
+  const double second_trace = std::max(second.trace(), 0.0);
+  error.second = light.radiance * float(second_trace);
+  // Cauchy and Schwarz: the mean of |p|^3 is no more than the root of those of |p|^2 and |p|^4.
+  error.third = light.radiance * float(std::sqrt(second_trace * std::max(fourth, 0.0)));
 }
 
 LightExtent united(const LightExtent& a, const LightExtent& b) {
@@ -163,58 +202,106 @@ double power_of(const FarLight& far) {
   return double(length(far.moment[0]) + length(far.moment[1]) + length(far.moment[2]));
 }
 
-/// The far form of lights that have one each, of which the first moments vanish about their own
-/// centres.
-FarLight united_far(std::span<const TreeLight> lights) {
-  FarLight u;
+/// The far form of single lights, of which the first moments vanish about their own centres.
+void unite_far(std::span<const TreeLight> lights, FarLight& u, FarError& error) {
   Vec3d center(0.0);
-  double total = 0;
+  double total = 0; // of the sizes of all m
   for (const TreeLight& light : lights) {
     const FarLight& far = light.far;
-    if (!far.valid) return u;
+    if (!light.far_error.valid) return;
     const double weight = power_of(far);
     center += to_double(far.center) * weight;
     total += weight;
   }
-  if (!(total > 0)) return u;
-  u.valid = true;
-  u.planar = false;
+  if (!(total > 0)) return;
+  error.valid = true;
+  error.planar = false;
   u.center = to_float(center / total);
-  double first[3], second[3];
-  for (int c = 0; c < 3; ++c) {
-    Vec3d sum(0.0), columns[3] = {Vec3d(0.0), Vec3d(0.0), Vec3d(0.0)};
-    second[c] = 0;
-    for (const TreeLight& light : lights) {
-      const FarLight& far = light.far;
+
+  // Of each channel: sums of m, of its size, of m d^T by columns, and of m times each element of
+  // d d^T and the light's own covariance.
+  struct Moments {
+    Vec3d sum{0.0, 0.0, 0.0};
+    double size = 0, second = 0, third = 0;
+    Vec3d first[3] = {Vec3d(0.0), Vec3d(0.0), Vec3d(0.0)};
+    Vec3d tensor[6] = {Vec3d(0.0), Vec3d(0.0), Vec3d(0.0), Vec3d(0.0), Vec3d(0.0), Vec3d(0.0)};
+  } channels[3];
+  Symmetric covariance;
+  for (const TreeLight& light : lights) {
+    const FarLight& far = light.far;
+    const Vec3d d = to_double(far.center) - to_double(u.center);
+    const Symmetric spread = Symmetric(d) + Symmetric(far.covariance);
+    const Vec3f third = light.far_error.third;
+    const float thirds[3] = {third.x, third.y, third.z};
+    for (int c = 0; c < 3; ++c) {
       const Vec3d m = to_double(far.moment[c]);
-      const Vec3d d = to_double(far.center) - to_double(u.center);
-      sum += m;
-      columns[0] += m * d.x;
-      columns[1] += m * d.y;
-      columns[2] += m * d.z;
-      const float own[3] = {far.second.x, far.second.y, far.second.z};
-      second[c] += double(own[c]) + length(m) * dot(d, d);
+      const double size = length(m);
+      if (!(size > 0)) continue;
+      Moments& of = channels[c];
+      of.sum += m;
+      of.size += size;
+      of.second += size * spread.trace();
+      // Minkowski: the cubic mean of |d + e| is at most |d| and that of |e|.
+      const double reach = length(d) + std::cbrt(double(thirds[c]) / size);
+      of.third += size * reach * reach * reach;
+      of.first[0] += m * d.x;
+      of.first[1] += m * d.y;
+      of.first[2] += m * d.z;
+      for (int k = 0; k < 6; ++k)
+        of.tensor[k] += m * spread.at[k];
+      covariance += spread * size;
     }
-    u.moment[c] = to_float(sum);
-    first[c] = std::sqrt(dot(columns[0], columns[0]) + dot(columns[1], columns[1]) +
-                         dot(columns[2], columns[2]));
   }
-  u.first = {float(first[0]), float(first[1]), float(first[2])};
-  u.second = {float(second[0]), float(second[1]), float(second[2])};
-  return u;
+  double sizes = 0;
+  for (const Moments& of : channels)
+    sizes += of.size;
+  covariance.store(1 / sizes, u.covariance);
+  for (int k = 0; k < 3; ++k)
+    u.first[k] = to_float(channels[0].first[k] + channels[1].first[k] + channels[2].first[k]);
+  float share[3], first_size[3], first_error[3], second_error[3];
+  const Symmetric kept(u.covariance);
+  for (int c = 0; c < 3; ++c) {
+    const Moments& of = channels[c];
+    u.moment[c] = to_float(of.sum);
+    share[c] = float(of.size / sizes);
+    double size = 0, first = 0, second = 0;
+    for (int k = 0; k < 3; ++k) {
+      size += dot(of.first[k], of.first[k]);
+      const Vec3d off = of.first[k] - to_double(u.first[k]) * double(share[c]);
+      first += dot(off, off);
+    }
+    for (int k = 0; k < 6; ++k) {
+      const Vec3d off = of.tensor[k] - of.sum * kept.at[k];
+      second += dot(off, off) * (k < 3 ? 1 : 2);
+    }
+    first_size[c] = float(std::sqrt(size));
+    first_error[c] = float(std::sqrt(first));
+    second_error[c] = float(std::sqrt(second));
+  }
+  u.channel = {share[0], share[1], share[2]};
+  error.first = {first_size[0], first_size[1], first_size[2]};
+  error.first_error = {first_error[0], first_error[1], first_error[2]};
+  error.second_error = {second_error[0], second_error[1], second_error[2]};
+  error.second = {float(channels[0].second), float(channels[1].second), float(channels[2].second)};
+  error.third = {float(channels[0].third), float(channels[1].third), float(channels[2].third)};
 }
 
 } // namespace
 
-TreeLight tree_light(const light::PolygonLight& light) { return {extent_of(light), far_of(light)}; }
-TreeLight tree_light(const light::EllipseLight& light) { return {extent_of(light), {}}; }
-TreeLight tree_light(const light::SphereLight& light) { return {extent_of(light), {}}; }
-TreeLight tree_light(const light::TubeLight& light) { return {extent_of(light), {}}; }
-TreeLight tree_light(const light::LineLight& light) { return {extent_of(light), {}}; }
+TreeLight tree_light(const light::PolygonLight& light) {
+  TreeLight tree_light{extent_of(light), {}, {}};
+  set_far(light, tree_light.far, tree_light.far_error);
+  return tree_light;
+}
+TreeLight tree_light(const light::EllipseLight& light) { return {extent_of(light), {}, {}}; }
+TreeLight tree_light(const light::SphereLight& light) { return {extent_of(light), {}, {}}; }
+TreeLight tree_light(const light::TubeLight& light) { return {extent_of(light), {}, {}}; }
+TreeLight tree_light(const light::LineLight& light) { return {extent_of(light), {}, {}}; }
 
 TreeLight textured(TreeLight light, Vec3f peak, Vec3f mean) {
   light.extent.radiance = light.extent.radiance * peak;
   light.extent.intensity = light.extent.intensity * mean * 1.01f;
+  light.far_error = {};
   light.far = {};
   return light;
 }
@@ -224,7 +311,9 @@ TreeLight united(std::span<const TreeLight> lights) {
   if (lights.size() == 1) return all;
   for (const TreeLight& light : lights.subspan(1))
     all.extent = united(all.extent, light.extent);
-  all.far = united_far(lights);
+  all.far_error = {};
+  all.far = {};
+  unite_far(lights, all.far, all.far_error);
   return all;
 }
 

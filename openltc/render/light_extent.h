@@ -21,14 +21,28 @@ struct LightExtent {
   float cosine_power = 0;   ///< of Emitter; least of a group
 };
 
-/// What a group of one-sided Lambertian polygons looks like from afar: a small patch in its centre,
-/// whose area vector, times radiance, is the sum of theirs, m = L A n.
+/// What a group of one-sided Lambertian polygons looks like from afar: the moments, about a point
+/// in its middle, of its area vectors times radiance, dm = L n dA. Those of first and second order
+/// are kept once for all channels, as if the group were of one colour, and those of second order as
+/// if it were of one normal; what that is off by stands beside them.
 struct FarLight {
   Vec3f center{0, 0, 0};
-  Vec3f moment[3];       ///< sum of m, nits m2, for r, g and b
-  Vec3f first{0, 0, 0};  ///< Frobenius norm of the sum of m (p - center)^T, nits m3, r g b
-  Vec3f second{0, 0, 0}; ///< integral of |p - center|^2 over L dA, nits m4, r g b
-  bool valid = false;
+  Vec3f moment[3]; ///< integral of dm, nits m2, for r, g and b
+  /// Columns of the integral of dm (p - center)^T, nits m3, the three channels together.
+  Vec3f first[3] = {Vec3f(0), Vec3f(0), Vec3f(0)};
+  Vec3f channel{0, 0, 0}; ///< each channel's share of that
+  /// Mean of (p - center)(p - center)^T by |dm| of all channels, m2: xx yy zz yz xz xy.
+  float covariance[6] = {0, 0, 0, 0, 0, 0};
+};
+
+/// What a far form errs by is bounded with, each for r, g and b.
+struct FarError {
+  Vec3f first{0, 0, 0};        ///< Frobenius norm of the first moments, nits m3
+  Vec3f first_error{0, 0, 0};  ///< Frobenius norm of what channel * first is off by, nits m3
+  Vec3f second_error{0, 0, 0}; ///< the same of moment times covariance, nits m4
+  Vec3f second{0, 0, 0};       ///< integral of |p - center|^2 |dm|, nits m4
+  Vec3f third{0, 0, 0};        ///< at least the integral of |p - center|^3 |dm|, nits m5
+  bool valid = false;          ///< there is a far form
   bool planar = true; ///< whether all lies in one plane, a point being before all of it or none
 };
 
@@ -39,7 +53,8 @@ inline constexpr float k_unbounded = 1.0e20f;
 /// A light, or a group of them.
 struct TreeLight {
   LightExtent extent;
-  FarLight far; ///< valid for one-sided Lambertian polygons only
+  FarError far_error; ///< valid for one-sided Lambertian polygons only
+  FarLight far;
 };
 
 /// A light as bounds see it.

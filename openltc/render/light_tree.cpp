@@ -23,6 +23,13 @@ namespace {
 // How much a light's direction counts beside its place when lights are grouped: opposite normals
 // weigh four times the size of the group.
 constexpr float k_direction_weight = 4.0f;
+// A light whose far form is good enough has a shadow of its own, for it alone, if it is at least
+// this share of all: the noise of shared shadows grows with what is in them.
+constexpr double k_least_exact = 1.0 / 64;
+// Refining goes on until so much of the tolerance is taken; the rest is for cheaper forms.
+constexpr double k_refined_share = 0.8;
+// Of a tolerance that refining has left over so much goes to leaving lights out.
+constexpr double k_left_out_share = 0.5;
 
 /// Place and direction of a light as six numbers.
 std::array<float, 6> features(const LightExtent& e, float direction_scale) {
@@ -83,6 +90,7 @@ LightTree::LightTree(std::span<const TreeLight> lights) {
   order_.resize(lights.size());
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(2 * lights.size());
+  far_.reserve(2 * lights.size());
   sampling_nodes_.reserve(2 * lights.size());
   if (!lights.empty()) build(lights, 0, std::int32_t(lights.size()));
   double sum = 0;
@@ -102,8 +110,11 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
   std::vector<TreeLight> together;
   for (const std::int32_t i : members)
     together.push_back(lights[std::size_t(i)]);
-  node.light = united(together);
+  const TreeLight light = united(together);
+  node.extent = light.extent;
+  node.far_error = light.far_error;
   nodes_.push_back(node);
+  far_.push_back(light.far);
   sampling_nodes_.push_back(sampling_node(together));
   if (members.size() == 1) {
     sampling_nodes_.back().light = members.front();
@@ -111,7 +122,7 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
   }
 
   // Split in halves along the feature that differs most.
-  const LightExtent& extent = node.light.extent;
+  const LightExtent& extent = node.extent;
   const float scale = 0.5f * k_direction_weight * length(extent.upper - extent.lower);
   const auto features_of = [&](std::int32_t i) {
     return features(lights[std::size_t(i)].extent, scale);
@@ -141,95 +152,112 @@ void LightTree::build(std::span<const TreeLight> lights, std::int32_t begin, std
 double LightTree::spacing() const {
   if (nodes_.empty()) return 0;
   // As if they were spread over a square.
-  const LightExtent& all = nodes_.front().light.extent;
+  const LightExtent& all = nodes_.front().extent;
   return double(length(all.upper - all.lower)) / std::sqrt(double(order_.size()));
 }
 
-std::size_t LightTree::choose(const BatchBounds& batch, double tolerance,
-                              LightChoice& choice) const {
+void LightTree::choose(const BatchBounds& batch, double tolerance, LightChoice& choice) const {
+  choice.singles.clear();
+  choice.cut.clear();
+  choice.cut_error = 0;
+  choice.cut_unbounded = 0;
+  choice.bounded = 0;
+  if (!nodes_.empty()) add_to_cut(PreparedBatch(batch), 0, choice);
+  refine(batch, tolerance, choice);
+}
+
+void LightTree::add_to_cut(const PreparedBatch& batch, std::int32_t node,
+                           LightChoice& choice) const {
+  const LightBound bound =
+      bound_light(batch, nodes_[std::size_t(node)].extent, nodes_[std::size_t(node)].far_error);
+  ++choice.bounded;
+  if (bound.all <= 0) return;
+  const float least = std::min(bound.all, bound.far_error);
+  if (least < k_unbounded)
+    choice.cut_error += double(least);
+  else
+    ++choice.cut_unbounded;
+  choice.cut.push({least, node, bound});
+}
+
+void LightTree::refine(const BatchBounds& batch, double tolerance, LightChoice& choice) const {
   using Entry = LightChoice::Entry;
   const PreparedBatch prepared(batch);
-  std::vector<Entry>& cut = choice.cut;
-  choice.entries.clear();
-  cut.clear();
-  double error = 0;  // of the bounded entries of the cut
-  int unbounded = 0; // entries of the cut
-  std::size_t bounded = 0;
-  const auto before = [](const Entry& a, const Entry& b) {
-    return a.error != b.error ? a.error < b.error : a.node < b.node;
-  };
-  const auto add = [&](std::int32_t node) {
-    const TreeLight& light = nodes_[std::size_t(node)].light;
-    const LightBound bound = bound_light(prepared, light);
-    ++bounded;
-    if (bound.all <= 0) return;
-    const float least = std::min(bound.all, bound.far_error);
-    if (least < k_unbounded)
-      error += double(least);
-    else
-      ++unbounded;
-    cut.push_back({least, node, bound});
-    std::push_heap(cut.begin(), cut.end(), before);
-  };
-  const auto sum = [&] {
-    double total = 0;
-    for (const Entry& entry : cut)
-      total += double(entry.error);
-    return total;
-  };
-
-  if (!nodes_.empty()) add(0);
+  ErrorQueue<Entry>& cut = choice.cut;
   while (!cut.empty()) {
-    if (unbounded == 0 && error <= tolerance) {
+    if (choice.cut_unbounded == 0 && choice.cut_error <= k_refined_share * tolerance) {
       // Subtraction may have rounded; the sum decides.
-      error = sum();
-      if (error <= tolerance) break;
+      choice.cut_error = 0;
+      cut.for_each([&](const Entry& entry) { choice.cut_error += double(entry.error); });
+      if (choice.cut_error <= k_refined_share * tolerance) break;
     }
-    const Entry entry = cut.front();
-    std::pop_heap(cut.begin(), cut.end(), before);
-    cut.pop_back();
+    const Entry entry = cut.pop();
     if (entry.error < k_unbounded)
-      error -= double(entry.error);
+      choice.cut_error -= double(entry.error);
     else
-      --unbounded;
+      --choice.cut_unbounded;
     const Node& node = nodes_[std::size_t(entry.node)];
     if (node.right == 0) {
-      choice.entries.push_back(entry);
+      choice.singles.push_back(entry);
       continue;
     }
-    add(entry.node + 1);
-    add(node.right);
+    add_to_cut(prepared, entry.node + 1, choice);
+    add_to_cut(prepared, node.right, choice);
   }
-  choice.single_count = choice.entries.size();
 
-  // Leave out what the rest of the tolerance allows, dimmest first.
-  error = cut.empty() ? 0.0 : error;
-  std::sort(cut.begin(), cut.end(), [](const Entry& a, const Entry& b) {
+  // Leave out what needs no more of the tolerance than a far form, and then what most of the rest
+  // of it allows, dimmest first.
+  std::vector<Entry>& entries = choice.entries;
+  entries = choice.singles;
+  choice.single_count = entries.size();
+  double error = cut.empty() ? 0.0 : choice.cut_error;
+  const auto more = [](const Entry& entry) {
+    return double(entry.bound.all) - double(entry.bound.far_error);
+  };
+  const double kept = error + k_left_out_share * (tolerance - error);
+  std::vector<Entry>& dim = choice.dim;
+  dim.clear();
+  cut.for_each([&](const Entry& entry) {
+    if (more(entry) <= 0) return;
+    (error + more(entry) <= kept ? dim : entries).push_back(entry);
+  });
+  std::sort(dim.begin(), dim.end(), [](const Entry& a, const Entry& b) {
     return a.bound.all != b.bound.all ? a.bound.all < b.bound.all : a.node < b.node;
   });
-  for (const Entry& entry : cut) {
-    if (entry.bound.all <= entry.bound.far_error) continue;
-    const double more = double(entry.bound.all) - double(entry.bound.far_error);
-    if (error + more <= tolerance)
-      error += more;
+  for (const Entry& entry : dim) {
+    if (error + more(entry) <= kept)
+      error += more(entry);
     else
-      choice.entries.push_back(entry);
+      entries.push_back(entry);
+  }
+  // What is left makes far forms plain, each by an equal part of it.
+  const auto far = std::span(entries).subspan(choice.single_count);
+  const double part = (tolerance - error) / double(std::max(far.size(), std::size_t(1)));
+  for (Entry& entry : far) {
+    const double dearer = double(entry.bound.plain_error) - double(entry.bound.far_error);
+    entry.plain = dearer <= part;
+    if (entry.plain) error += std::max(dearer, 0.0);
   }
   choice.error_nits = error;
-  return bounded;
 }
 
 FarGroup LightTree::group_of(const LightChoice::Entry& entry, bool exact) const {
   const Node& node = nodes_[std::size_t(entry.node)];
-  const FarLight& far = node.light.far;
+  const FarLight& far = far_[std::size_t(entry.node)];
   FarGroup group{};
   const float center[3] = {far.center.x, far.center.y, far.center.z};
   std::copy_n(center, 3, group.center);
   for (int c = 0; c < 3; ++c) {
     const float moment[3] = {far.moment[c].x, far.moment[c].y, far.moment[c].z};
     std::copy_n(moment, 3, group.moment[c]);
+    const float first[3] = {far.first[c].x, far.first[c].y, far.first[c].z};
+    std::copy_n(first, 3, group.first[c]);
   }
+  const float channel[3] = {far.channel.x, far.channel.y, far.channel.z};
+  std::copy_n(channel, 3, group.channel);
+  std::copy_n(far.covariance, 6, group.covariance);
   group.specular = entry.bound.far_specular;
+  group.plain = entry.plain;
   group.exact = exact;
   group.begin = node.begin;
   group.end = node.end;
@@ -244,24 +272,36 @@ void LightTree::arrange(std::size_t most_exact, LightChoice& choice) const {
   };
   std::vector<std::uint32_t>& own = choice.exact_entry;
   std::vector<std::uint32_t>& shared = choice.far_entry;
-  own.resize(choice.single_count);
-  std::iota(own.begin(), own.end(), 0u);
-  std::sort(own.begin(), own.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const double ea = expected(a), eb = expected(b);
-    return ea != eb ? ea > eb : choice.entries[a].node < choice.entries[b].node;
-  });
+  own.clear();
   shared.clear();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const Node& node = nodes_[std::size_t(choice.entries[own[i]].node)];
-    if (kept >= most_exact && node.light.far.valid)
+  const auto node_of = [&](std::uint32_t i) -> const Node& {
+    return nodes_[std::size_t(choice.entries[i].node)];
+  };
+  double all = 0;
+  for (std::size_t i = 0; i < choice.entries.size(); ++i)
+    all += expected(i);
+  for (std::uint32_t i = 0; i < choice.entries.size(); ++i) {
+    const bool single = i < choice.single_count;
+    const bool shadowed = most_exact != k_all_exact && node_of(i).right == 0;
+    const bool counts = single || expected(i) >= k_least_exact * all;
+    (single || (shadowed && counts) ? own : shared).push_back(i);
+  }
+  if (own.size() > most_exact)
+    std::nth_element(own.begin(), own.begin() + std::ptrdiff_t(most_exact), own.end(),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const double ea = expected(a), eb = expected(b);
+                       return ea != eb ? ea > eb : choice.entries[a].node < choice.entries[b].node;
+                     });
+  std::size_t kept = std::min(own.size(), most_exact);
+  for (std::size_t i = kept; i < own.size(); ++i) {
+    if (node_of(own[i]).far_error.valid)
       shared.push_back(own[i]);
     else
       own[kept++] = own[i];
   }
   own.resize(kept);
   const auto light_of = [&](std::uint32_t entry) {
-    return order_[std::size_t(nodes_[std::size_t(choice.entries[entry].node)].begin)];
+    return order_[std::size_t(node_of(entry).begin)];
   };
   std::sort(own.begin(), own.end(),
             [&](std::uint32_t a, std::uint32_t b) { return light_of(a) < light_of(b); });
@@ -269,8 +309,6 @@ void LightTree::arrange(std::size_t most_exact, LightChoice& choice) const {
   for (const std::uint32_t entry : own)
     choice.exact.push_back(light_of(entry));
 
-  for (std::size_t i = choice.single_count; i < choice.entries.size(); ++i)
-    shared.push_back(std::uint32_t(i));
   const auto hidden = std::stable_partition(
       shared.begin(), shared.end(), [&](std::uint32_t i) { return choice.entries[i].reach > 0; });
   choice.far.clear();

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/render/error_queue.h"
 #include "openltc/render/light_bound.h"
 #include "openltc/render/shading_kernel.h"
 
@@ -21,6 +22,7 @@ struct LightChoice {
     float error; ///< of its cheaper form, at most
     std::int32_t node;
     LightBound bound;
+    bool plain = false; ///< a far form without moments will do
     /// The share of its light that nothing blocks, 0 to 1, as far as is known.
     float reach = 1;
   };
@@ -34,7 +36,13 @@ struct LightChoice {
   std::size_t far_open = 0;        ///< the first so many have a reach, the rest have none
   std::vector<std::uint32_t> exact_entry, far_entry;
 
-  std::vector<Entry> cut; ///< working memory
+  // The cut through the tree behind the entries, from which it is refined: lights by themselves,
+  // and the others by their errors, those not bounded apart from the sum of those that are.
+  std::vector<Entry> singles, dim;
+  ErrorQueue<Entry> cut;
+  double cut_error = 0;
+  int cut_unbounded = 0;
+  std::size_t bounded = 0; ///< nodes of the tree whose bounds this took
 };
 
 class LightTree {
@@ -44,11 +52,15 @@ public:
 
   /// Chooses the entries with which to light a batch so that the radiance of each point, in the
   /// closed form without shadow, is within `tolerance` nits, in any channel, of that of all lights.
-  /// Returns the number of bounds that this took.
-  std::size_t choose(const BatchBounds& batch, double tolerance, LightChoice& choice) const;
+  void choose(const BatchBounds& batch, double tolerance, LightChoice& choice) const;
+
+  /// The same for the batch of which `choice` is, and a smaller tolerance.
+  void refine(const BatchBounds& batch, double tolerance, LightChoice& choice) const;
 
   /// Says which lights have shadows of their own: the `most_exact` from which most arrives, and
-  /// those without far form. All others join the groups.
+  /// those without far form. All others join the groups. k_all_exact: there are no shadows, and the
+  /// lights for which a far form will not do are shaded one by one.
+  static constexpr std::size_t k_all_exact = ~std::size_t(0);
   void arrange(std::size_t most_exact, LightChoice& choice) const;
 
   /// Typical distance from a light to the next, in metres.
@@ -62,16 +74,20 @@ public:
   std::span<const LightNode> nodes() const { return sampling_nodes_; }
 
 private:
+  // What bounds need, side by side.
   struct Node {
-    TreeLight light;
+    LightExtent extent;
+    FarError far_error;
     std::int32_t right = 0;          ///< second child, the first is the next node; 0 = leaf
     std::int32_t begin = 0, end = 0; ///< its lights in the order
   };
 
   void build(std::span<const TreeLight> lights, std::int32_t begin, std::int32_t end);
+  void add_to_cut(const PreparedBatch& batch, std::int32_t node, LightChoice& choice) const;
   FarGroup group_of(const LightChoice::Entry& entry, bool exact) const;
 
   std::vector<Node> nodes_;
+  std::vector<FarLight> far_; // of each node
   std::vector<LightNode> sampling_nodes_;
 
   std::vector<std::int32_t> order_;

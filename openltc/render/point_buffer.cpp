@@ -19,6 +19,7 @@ PointBuffer::PointBuffer(std::size_t capacity) : capacity_(capacity) {
   pixel_.assign(padded, 0);
   sample_.assign(padded, 0);
   weight_.assign(padded, 0.0f);
+  emission_.assign(padded, 0.0f);
 }
 
 void PointBuffer::add(const SurfacePoint& p, const PointTarget& target) {
@@ -37,6 +38,7 @@ void PointBuffer::add(const SurfacePoint& p, const PointTarget& target) {
   fields_[k_f90][i] = p.f90;
   fields_[k_roughness][i] = p.roughness;
   fields_[k_offset][i] = p.offset;
+  emission_[i] = std::max({p.emission.x, p.emission.y, p.emission.z});
   set_target(i, target);
 }
 
@@ -88,6 +90,7 @@ std::size_t PointBuffer::split(Range range, PointField field) {
   for (auto& values : fields_)
     reorder(values, moved_float_);
   reorder(weight_, moved_float_);
+  reorder(emission_, moved_float_);
   for (auto* values : {&seed_, &index_, &pixel_, &sample_})
     reorder(*values, moved_uint_);
   return range.begin + half;
@@ -106,6 +109,7 @@ void PointBuffer::copy(std::size_t from, const PointTarget& target, PointBuffer&
   const std::size_t i = to.count_++;
   for (std::size_t f = 0; f < fields_.size(); ++f)
     to.fields_[f][i] = fields_[f][from];
+  to.emission_[i] = emission_[from];
   to.set_target(i, target);
 }
 

@@ -64,6 +64,9 @@ public:
   /// where that one begins. There must be more than k_batch_padding points.
   std::size_t split(Range range, PointField field);
 
+  /// What the i-th point sends to the viewer by itself, nits, largest channel.
+  float emission(std::size_t i) const { return emission_[i]; }
+
   /// Appends about `count` points of a range, evenly chosen, to another buffer that has room; entry
   /// and pixel of the i-th are i, its weight is 1.
   void thin(Range range, std::size_t count, PointBuffer& to) const;
@@ -94,7 +97,7 @@ private:
   std::array<std::vector<float>, k_point_field_count> fields_;
   std::array<std::vector<float>, 3> out_;
   std::vector<std::uint32_t> seed_, index_, pixel_, sample_;
-  std::vector<float> weight_;
+  std::vector<float> weight_, emission_;
   std::vector<std::uint32_t> order_; // of a range, while it is split
   std::vector<float> moved_float_;
   std::vector<std::uint32_t> moved_uint_;

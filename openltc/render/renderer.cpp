@@ -71,6 +71,13 @@ struct Job {
 struct ShadingWork {
   std::atomic<std::int64_t> points{0};
   std::atomic<std::int64_t> exact{0}, far{0}; ///< pairs of a point and a light or a far group
+  std::atomic<double> error_nits{0};          ///< the largest that a choice of lights allowed
+
+  void add_error(double nits) {
+    double largest = error_nits;
+    while (nits > largest && !error_nits.compare_exchange_weak(largest, nits)) {
+    }
+  }
 };
 
 bool needs_ratio(const KernelContext& context) {
@@ -134,6 +141,7 @@ public:
     work.points += points_shaded_;
     work.exact += exact_;
     work.far += far_;
+    work.add_error(error_nits_);
   }
 
 private:
@@ -155,6 +163,7 @@ private:
     points_shaded_ += count;
     exact_ += count * std::int64_t(choice.exact.size());
     far_ += count * std::int64_t(choice.far.size());
+    error_nits_ = std::max(error_nits_, choice.error_nits);
     if (shadows_) {
       shadows_->shade(points_, range, choice, samples_);
       return;
@@ -251,6 +260,7 @@ private:
   LightChoice all_lights_;             // without one
   std::optional<ShadowRatio> shadows_; // where lights cast any
   std::int64_t points_shaded_ = 0, exact_ = 0, far_ = 0;
+  double error_nits_ = 0;
 };
 
 Status check(const RenderOptions& o) {
@@ -332,7 +342,6 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   }
 
   Picture picture;
-  picture.light_error_nits = job.error_scale.light_error * job.error_scale.view_nits;
   picture.radiance = image::Image(options.width, options.height, 3);
   if (reference && options.samples > 1)
     picture.standard_error = image::Image(options.width, options.height, 3);
@@ -354,6 +363,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const double points = double(std::max<std::int64_t>(work.points, 1));
   picture.lights_per_point = double(work.exact) / points;
   picture.far_groups_per_point = double(work.far) / points;
+  picture.light_error_nits = work.error_nits;
   picture.render_seconds = seconds_since(render_start);
   return picture;
 }

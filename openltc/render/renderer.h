@@ -63,9 +63,9 @@ struct Picture {
   /// variance of its camera samples; these are stratified, so it is an upper estimate. Else empty:
   /// the LTC integrator's shadow ratio is no mean.
   image::Image standard_error;
-  /// LTC: the largest error in nits that light_error allowed anywhere; 0 where every light shaded
-  /// every point. Where shadow ratios are 1 or 0 no pixel is further from such a picture, but for
-  /// rounding; elsewhere there is the noise of shadows that are sampled together.
+  /// LTC: the largest error in nits that the choice of lights made anywhere, at most; 0 where every
+  /// light shaded every point. Where shadow ratios are 1 or 0 no pixel is further from such a
+  /// picture, but for rounding; elsewhere there is the noise of shadows that are sampled together.
   double light_error_nits = 0;
   /// What shaded a surface point, on average: area lights one by one, and groups of far ones.
   double lights_per_point = 0, far_groups_per_point = 0;

@@ -57,13 +57,17 @@ enum RatioSum {
   k_ratio_sum_count
 };
 
-/// Polygon lights that a batch of points takes for one small patch; see FarLight in light_bound.h.
+/// Polygon lights that a batch of points takes for one small patch; see FarLight in light_extent.h.
 struct FarGroup {
   float center[3];
-  float moment[3][3]; ///< sum of radiance times area times normal, for r, g and b
-  bool exact;         ///< a single light, shaded in full; only its shadow is that of the groups
-  bool specular;      ///< whether there is a specular part worth having
-  float cdf;          ///< running share of the shadow samples, 1 for the last group of a set
+  float moment[3][3];  ///< sum of radiance times area times normal, for r, g and b
+  float first[3][3];   ///< columns of the first moments, all channels together
+  float channel[3];    ///< each channel's share of them
+  float covariance[6]; ///< of places by power: xx yy zz yz xz xy
+  bool exact;          ///< a single light, shaded in full; only its shadow is that of the groups
+  bool specular;       ///< whether there is a specular part worth having
+  bool plain;          ///< whether the moments of first and second order are left out
+  float cdf;           ///< running share of the shadow samples, 1 for the last group of a set
   std::int32_t begin, end; ///< its lights, in FarLights::order
 };
 
