@@ -112,10 +112,10 @@ inline LightSample sample_of(const f32::Surface& s, const f32::LightPoint& point
 /// Draws a point of a light from two random numbers in [0, 1). `light` is a Polygon, Ellipse,
 /// Sphere, Tube or Line; of a line, the second number is unused.
 ///
-/// The mean of eval_surface(surface, direction) * radiance / pdf over valid samples, the others
-/// counting as 0, is the reflected radiance without shadow; times the visibility of the point, with
-/// it. Some shapes prepare what the next sample prepares again; that costs about as much as the
-/// sample.
+/// The mean of eval_surface(surface, direction) * radiance / pdf over all samples, those that are
+/// not valid counting as 0, is the reflected radiance without shadow; times the visibility of the
+/// point, with it. What the shape's sampling needs to know of the surface's position is found anew
+/// each time.
 template <class AreaLight>
 inline LightSample sample_light(const Surface& surface, const AreaLight& light, Vec2f u) {
   if (!surface.usable || !detail::is_usable(light)) return {};

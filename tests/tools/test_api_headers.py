@@ -6,6 +6,7 @@
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -55,6 +56,20 @@ class ApiHeaders(unittest.TestCase):
                 run = subprocess.run([compiler] + k_flags + ["-DOPENLTC_NO_TABLE", "-fsyntax-only", source],
                                      capture_output=True, check=False)
                 self.assertNotEqual(run.returncode, 0, "OPENLTC_NO_TABLE leaves the table in")
+
+    def test_the_code_of_the_documents_compiles(self):
+        for name in ("README.md", "README.zh-CN.md", "docs/api.md"):
+            with open(os.path.join(k_root, name), encoding="utf-8") as stream:
+                blocks = re.findall(r"^```cpp\n(.*?)^```$", stream.read(), re.S | re.M)
+            self.assertGreater(len(blocks), 0, name)
+            # What is no whole program stands in a function, with the names that the text takes for granted.
+            text = blocks[0] + "Vec2f random_2();\nbool is_open(Vec3f, Vec3f);\n"
+            for number, block in enumerate(blocks[1:]):
+                text += ("Vec3f block_%d(const Surface& surface, Vec3f point, Vec3f radiance, int samples) {\n%s"
+                         "return shaded;\n}\n" % (number, block))
+            run = subprocess.run([k_own] + k_flags + ["-fsyntax-only", "-x", "c++", "-"], capture_output=True,
+                                 text=True, check=False, input=text)
+            self.assertEqual(run.returncode, 0, "%s\n%s" % (name, run.stderr))
 
     def test_every_header_includes_what_it_needs(self):
         folder = os.path.join(k_root, "openltc", "api")
