@@ -62,9 +62,11 @@ inline PointSeen see_point(const f32::Surface& s, Vec3f position, float range) {
 
 } // namespace detail
 
-// Reflected radiance of a light, by parts: nits where intensities are candela and illuminances lux.
-// A light whose place or direction is not finite, or has no length, lights nothing.
+// Reflected radiance of a light, by parts, for the intensity that it has: nits where intensities
+// are candela and illuminances lux. A light whose place or direction is not finite, or has no
+// length, lights nothing.
 
+/// Of a point, by the inverse square of its distance and the window of its range.
 inline ShadedParts shade_parts(const Surface& surface, const PointLight& light) {
   if (!surface.usable || !detail::is_place(light.position)) return {};
   const detail::PointSeen seen = detail::see_point(surface.point, light.position, light.range);
@@ -72,6 +74,7 @@ inline ShadedParts shade_parts(const Surface& surface, const PointLight& light) 
                         light.intensity * seen.per_intensity);
 }
 
+/// Of a spot: the same, times its cone.
 inline ShadedParts shade_parts(const Surface& surface, const SpotLight& light) {
   const Vec3f axis = detail::unit_or(light.direction, Vec3f(0.0f));
   if (!surface.usable || !detail::is_place(light.position) || !(dot(axis, axis) > 0.5f)) return {};
@@ -82,18 +85,13 @@ inline ShadedParts shade_parts(const Surface& surface, const SpotLight& light) {
                         light.intensity * (seen.per_intensity * cone));
 }
 
+/// Of light from far away.
 inline ShadedParts shade_parts(const Surface& surface, const DirectionalLight& light) {
   const Vec3f axis = detail::unit_or(light.direction, Vec3f(0.0f));
   if (!surface.usable || !(dot(axis, axis) > 0.5f)) return {};
   // Far enough to leave any scene behind, near enough for single precision.
   return detail::scaled(detail::parts_from(surface.point, -axis, axis * -1.0e6f),
                         light.illuminance);
-}
-
-/// Reflected radiance of a PointLight, SpotLight or DirectionalLight, without shadow.
-template <class PunctualLight>
-inline Vec3f shade(const Surface& surface, const PunctualLight& light) {
-  return detail::sum_of(shade_parts(surface, light), Vec3f(1.0f));
 }
 
 } // namespace openltc

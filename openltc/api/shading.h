@@ -30,16 +30,13 @@ inline ShadedParts parts_of(const f32::ShadedLight& shaded, bool has_side = true
   return {finite_light(shaded.diffuse), finite_light(shaded.specular)};
 }
 
-inline Vec3f sum_of(const ShadedParts& parts, Vec3f radiance) {
-  return finite_light((parts.diffuse + parts.specular) * radiance);
-}
-
 } // namespace detail
 
 // Reflected radiance, from a light of radiance 1, by parts. Finite and not negative, whatever comes
 // in. Each part is within what the same light from all directions would give; of a line, whose
 // light is per metre of its width, there is no bound.
 
+/// Of a polygon: nothing behind a one-sided one, or in the plane of any.
 inline ShadedParts shade_parts(const Surface& surface, const Polygon& light) {
   if (!surface.usable || !light.usable()) return {};
   const f32::Surface& s = surface.point;
@@ -48,6 +45,7 @@ inline ShadedParts shade_parts(const Surface& surface, const Polygon& light) {
                           f32::has_side(s, f32::polygon_origin(view), f32::polygon_normal(view)));
 }
 
+/// Of an ellipse: nothing behind a one-sided one, or in the plane of any.
 inline ShadedParts shade_parts(const Surface& surface, const Ellipse& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
   const f32::Surface& s = surface.point;
@@ -56,6 +54,7 @@ inline ShadedParts shade_parts(const Surface& surface, const Ellipse& light) {
       f32::has_side(s, light.center, normalize(cross(light.half_u, light.half_v))));
 }
 
+/// Of a sphere: nothing inside of it.
 inline ShadedParts shade_parts(const Surface& surface, const Sphere& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
   const f32::Surface& s = surface.point;
@@ -63,6 +62,7 @@ inline ShadedParts shade_parts(const Surface& surface, const Sphere& light) {
       f32::shade_integral(s, f32::surface_sphere_integral(s, detail::dialect_of(light))));
 }
 
+/// Of a tube: nothing inside of it.
 inline ShadedParts shade_parts(const Surface& surface, const Tube& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
   const f32::Surface& s = surface.point;
@@ -70,7 +70,7 @@ inline ShadedParts shade_parts(const Surface& surface, const Tube& light) {
       f32::shade_integral(s, f32::surface_tube_integral(s, detail::dialect_of(light))));
 }
 
-/// Of a line: for an intensity per metre of 1 cd/m.
+/// Of a line, for 1 cd/m.
 inline ShadedParts shade_parts(const Surface& surface, const Line& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
   const f32::Surface& s = surface.point;
@@ -78,11 +78,13 @@ inline ShadedParts shade_parts(const Surface& surface, const Line& light) {
       f32::shade_line_integral(s, f32::surface_line_integral(s, detail::dialect_of(light))));
 }
 
-/// Reflected radiance of a light with that radiance, nits as a rule, per linear Rec.709 channel;
-/// cd/m of a line. `light` is a Polygon, Ellipse, Sphere, Tube or Line.
-template <class AreaLight>
-inline Vec3f shade(const Surface& surface, const AreaLight& light, Vec3f radiance) {
-  return detail::sum_of(shade_parts(surface, light), radiance);
+/// Reflected radiance: of a Polygon, Ellipse, Sphere or Tube with that radiance, nits as a rule,
+/// per linear Rec.709 channel; of a Line with that many cd/m; of a light of punctual_lights.h,
+/// which has an intensity of its own, with 1.
+template <class Light>
+inline Vec3f shade(const Surface& surface, const Light& light, Vec3f radiance = Vec3f(1.0f)) {
+  const ShadedParts parts = shade_parts(surface, light);
+  return detail::finite_light((parts.diffuse + parts.specular) * radiance);
 }
 
 } // namespace openltc

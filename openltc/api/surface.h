@@ -63,6 +63,17 @@ inline Surface make_surface(Vec3f position, Vec3f normal, Vec3f view, const Mate
   return surface;
 }
 
+/// Says how far a surface may be from its position, in metres; make_surface takes the rounding of
+/// single precision. A point that is no further than that from the plane of a flat light is taken
+/// to lie in it and has no light of it; what is no further behind its own triangle is hidden. For
+/// positions found from a depth buffer, or large offsets of shadow rays. Smaller values than are
+/// set, or none at all, change nothing.
+inline void set_position_error(Surface& surface, float metres) {
+  const float error2 = metres * metres;
+  if (metres > 0.0f && error2 > surface.point.position_error2)
+    surface.point.position_error2 = f32::min(error2, k_max_coordinate * k_max_coordinate);
+}
+
 // The BRDF itself, times the cosine at the surface: what a path tracer, or a reference, integrates.
 // `wi` leads from the surface to the light, world space, any length that is not 0.
 

@@ -28,7 +28,7 @@ std::string error_of(const std::vector<std::vector<Vec3f>>& rings) {
   // Whatever is wrong with it, it is dark and has no area.
   if (!polygon.usable()) {
     CHECK(polygon.area() == 0);
-    CHECK(shade(floor_below(), polygon, Vec3f(1.0f)).x == 0);
+    CHECK(shade(floor_below(), polygon).x == 0);
     CHECK(!sample_light(floor_below(), polygon, {0.5f, 0.5f}).valid);
     CHECK(pdf_light(floor_below(), polygon, {0, 0, -1}) == 0);
   }
@@ -58,21 +58,21 @@ TEST_CASE("polygons_know_area_and_normal_of_any_outline") {
 
 TEST_CASE("copies_of_a_polygon_are_independent_and_light_alike") {
   Polygon first = Polygon::from_vertices(k_square);
-  const float light = shade(floor_below(), first, Vec3f(1.0f)).x;
+  const float light = shade(floor_below(), first).x;
   CHECK(light > 0);
   Polygon copy = first;
   CHECK(copy.view().points != first.view().points);
   first = Polygon();
-  CHECK(shade(floor_below(), copy, Vec3f(1.0f)).x == light);
+  CHECK(shade(floor_below(), copy).x == light);
   Polygon& itself = copy;
   copy = itself;
-  CHECK(shade(floor_below(), copy, Vec3f(1.0f)).x == light);
+  CHECK(shade(floor_below(), copy).x == light);
   const Polygon moved = std::move(copy);
-  CHECK(shade(floor_below(), moved, Vec3f(1.0f)).x == light);
+  CHECK(shade(floor_below(), moved).x == light);
   std::vector<Polygon> many(3, moved);
   many.resize(50);
-  CHECK(shade(floor_below(), many[2], Vec3f(1.0f)).x == light);
-  CHECK(shade(floor_below(), many[49], Vec3f(1.0f)).x == 0);
+  CHECK(shade(floor_below(), many[2]).x == light);
+  CHECK(shade(floor_below(), many[49]).x == 0);
 }
 
 TEST_CASE("outlines_that_cannot_be_shaded_are_dark_and_say_why") {

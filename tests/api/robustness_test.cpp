@@ -25,6 +25,7 @@ struct Input {
   float radius = 0.2f, range = 5, inner = 0.2f, outer = 0.6f;
   Vec3f radiance{1, 2, 3}, direction{0.1f, 1, -0.2f};
   Vec2f u{0.3f, 0.7f};
+  float position_error = 1e-4f;
 };
 constexpr int k_numbers = int(sizeof(Input) / sizeof(float));
 static_assert(sizeof(Input) == sizeof(std::array<float, k_numbers>));
@@ -53,9 +54,10 @@ bool is_solid_sound(const Surface& s, const AreaLight& light, const Input& in) {
 
 bool is_all_sound(const Input& in) {
   for (const Lobes& lobes : {built_in_table(), built_in_polynomial()}) {
-    const Surface surfaces[] = {
+    Surface surfaces[] = {
         make_surface(in.position, in.normal, in.view, in.material, lobes),
         make_surface(in.position, in.normal, in.view, in.material, lobes, in.geometric)};
+    set_position_error(surfaces[1], in.position_error);
     for (const Surface& s : surfaces) {
       const DirectionSample d = sample_surface(s, in.u);
       if (!is_sound(eval_surface(s, in.direction)) || !is_sound(pdf_surface(s, in.direction)) ||

@@ -61,7 +61,7 @@ template <class AreaLight> void check_mean(const AreaLight& light, Random& rando
       mean.add(sample.valid ? double(eval_surface(surface, sample.direction).x) / double(sample.pdf)
                             : 0);
     }
-    const double closed = double(shade(surface, light, Vec3f(1.0f)).x);
+    const double closed = double(shade(surface, light).x);
     CHECK(closed > 1e-3);
     // Five standard errors, and the rounding of single precision in both.
     CHECK(std::abs(mean.value() - closed) < 5 * mean.error() + 1e-4 * closed);

@@ -56,12 +56,12 @@ TEST_CASE("rectangle_over_a_lambertian_floor_gives_its_configuration_factor") {
       CAPTURE(a);
       CAPTURE(b);
       // With the element under the corner, under the middle and beside it.
-      CHECK(shade(lambert(), ceiling(0, 0, float(a), float(b)), Vec3f(1.0f)).x ==
+      CHECK(shade(lambert(), ceiling(0, 0, float(a), float(b))).x ==
             doctest::Approx(corner_factor(a, b)).epsilon(2e-5));
-      CHECK(shade(lambert(), ceiling(float(-a), float(-b), float(a), float(b)), Vec3f(1.0f)).x ==
+      CHECK(shade(lambert(), ceiling(float(-a), float(-b), float(a), float(b))).x ==
             doctest::Approx(4 * corner_factor(a, b)).epsilon(2e-5));
       const double beside = corner_factor(a + 1, b) - corner_factor(1, b);
-      CHECK(shade(lambert(), ceiling(1, 0, float(a + 1), float(b)), Vec3f(1.0f)).x ==
+      CHECK(shade(lambert(), ceiling(1, 0, float(a + 1), float(b))).x ==
             doctest::Approx(beside).epsilon(2e-4));
     }
 }
@@ -89,14 +89,14 @@ TEST_CASE("disk_and_sphere_over_a_lambertian_floor_give_their_configuration_fact
     CAPTURE(radius);
     // Howell, B-12: a disk parallel to the element, on its normal.
     const double factor = radius * radius / (1 + radius * radius);
-    CHECK(shade(lambert(), disk({0, 1, 0}, {0, -1, 0}, float(radius)), Vec3f(1.0f)).x ==
+    CHECK(shade(lambert(), disk({0, 1, 0}, {0, -1, 0}, float(radius))).x ==
           doctest::Approx(factor).epsilon(2e-5));
     // Howell, B-42: a sphere above the element's horizon, at the angle t from its normal.
     for (const double t : {0.0, 0.5, 1.0}) {
       const double distance = 4 * radius;
       if (std::cos(t) * distance < radius) continue;
       const Vec3f center(float(distance * std::sin(t)), float(distance * std::cos(t)), 0);
-      CHECK(shade(lambert(), Sphere{center, float(radius)}, Vec3f(1.0f)).x ==
+      CHECK(shade(lambert(), Sphere{center, float(radius)}).x ==
             doctest::Approx(std::cos(t) / 16).epsilon(2e-5));
     }
   }
@@ -110,8 +110,7 @@ TEST_CASE("line_and_thin_tube_over_a_lambertian_floor_give_the_integral_along_th
       CAPTURE(l);
       const double expected = (l / (h * h + l * l) + std::atan(l / h) / h) / k_pi;
       const Vec3f from(float(-l), float(h), 0), to(float(l), float(h), 0);
-      CHECK(shade(lambert(), Line{from, to}, Vec3f(1.0f)).x ==
-            doctest::Approx(expected).epsilon(2e-5));
+      CHECK(shade(lambert(), Line{from, to}).x == doctest::Approx(expected).epsilon(2e-5));
       // A tube of diameter d is such a line of radiance times d, but for its ends, which bulge
       // towards the floor: r/h of l at most.
       const float radius = 1e-3f;
@@ -131,13 +130,10 @@ TEST_CASE("a_mirror_shows_the_light_where_it_is_and_nothing_beside_it") {
     CHECK(there.y == doctest::Approx(0.5).epsilon(0.02));
     CHECK(there.z == doctest::Approx(0.25).epsilon(0.03));
     for (const Vec3f center : {Vec3f(1, 1, -1), Vec3f(0, 1, 1), Vec3f(0, 1, -2)})
-      CHECK(shade(s, Polygon::rectangle(center, {0.3f, 0, 0}, {0, 0, 0.3f}), Vec3f(1.0f)).x <
-            0.01f);
-    CHECK(shade(s, Sphere{{0, 1, -1}, 0.3f}, Vec3f(1.0f)).x == doctest::Approx(1).epsilon(0.01));
-    CHECK(shade(s, disk({0, 1, -1}, {0, -1, 0}, 0.3f), Vec3f(1.0f)).x ==
-          doctest::Approx(1).epsilon(0.01));
-    CHECK(shade(s, Tube{{-2, 1, -1}, {2, 1, -1}, 0.2f}, Vec3f(1.0f)).x ==
-          doctest::Approx(1).epsilon(0.01));
+      CHECK(shade(s, Polygon::rectangle(center, {0.3f, 0, 0}, {0, 0, 0.3f})).x < 0.01f);
+    CHECK(shade(s, Sphere{{0, 1, -1}, 0.3f}).x == doctest::Approx(1).epsilon(0.01));
+    CHECK(shade(s, disk({0, 1, -1}, {0, -1, 0}, 0.3f)).x == doctest::Approx(1).epsilon(0.01));
+    CHECK(shade(s, Tube{{-2, 1, -1}, {2, 1, -1}, 0.2f}).x == doctest::Approx(1).epsilon(0.01));
   }
 }
 
@@ -153,15 +149,14 @@ TEST_CASE("white_furnace_a_white_dielectric_under_a_white_sky_is_white") {
       material.roughness = roughness;
       const Surface s = make_surface({0, 0, 0}, k_up, {0, 1, z}, material, built_in_table());
       // What the specular part takes the diffuse one does not give.
-      CHECK(shade(s, sky, Vec3f(1.0f)).x == doctest::Approx(1).epsilon(2e-3));
+      CHECK(shade(s, sky).x == doctest::Approx(1).epsilon(2e-3));
       // A white metal loses what leaves a microfacet by way of a second one, and gains nothing.
-      const float reflected = shade(metal(roughness, {0, 1, z}), sky, Vec3f(1.0f)).x;
+      const float reflected = shade(metal(roughness, {0, 1, z}), sky).x;
       CHECK(reflected <= 1.0f);
       CHECK(reflected > 0.3f);
     }
   // GGX of alpha 1, seen along the normal: the integral of D V cos is 1 - ln 2.
-  CHECK(shade(metal(1, k_up), sky, Vec3f(1.0f)).x ==
-        doctest::Approx(1 - std::log(2.0)).epsilon(1e-3));
+  CHECK(shade(metal(1, k_up), sky).x == doctest::Approx(1 - std::log(2.0)).epsilon(1e-3));
 }
 
 TEST_CASE("lights_shine_to_their_own_side_and_two_sided_ones_to_both") {
@@ -172,31 +167,28 @@ TEST_CASE("lights_shine_to_their_own_side_and_two_sided_ones_to_both") {
   CHECK(towards.normal().y == -1);
   CHECK(away.normal().y == 1);
   const Surface s = lambert();
-  CHECK(shade(s, away, Vec3f(1.0f)).x == 0);
-  CHECK(shade(s, both, Vec3f(1.0f)).x ==
-        doctest::Approx(shade(s, towards, Vec3f(1.0f)).x).epsilon(1e-6));
-  CHECK(shade(s, disk({0, 1, 0}, k_up, 0.5f), Vec3f(1.0f)).x == 0);
-  CHECK(shade(s, disk({0, 1, 0}, k_up, 0.5f, true), Vec3f(1.0f)).x ==
+  CHECK(shade(s, away).x == 0);
+  CHECK(shade(s, both).x == doctest::Approx(shade(s, towards).x).epsilon(1e-6));
+  CHECK(shade(s, disk({0, 1, 0}, k_up, 0.5f)).x == 0);
+  CHECK(shade(s, disk({0, 1, 0}, k_up, 0.5f, true)).x ==
         doctest::Approx(0.2).epsilon(1e-5)); // r^2/(1 + r^2)
   // In the plane of a light, and inside of solid ones, there is none.
-  CHECK(shade(lambert({0, 1, 0}, {1, 0, 0}, {1, 0, 0}), both, Vec3f(1.0f)).x == 0);
-  CHECK(shade(s, Sphere{{0, 0.5f, 0}, 1}, Vec3f(1.0f)).x == 0);
-  CHECK(shade(s, Tube{{-1, 0.1f, 0}, {1, 0.1f, 0}, 1}, Vec3f(1.0f)).x == 0);
+  CHECK(shade(lambert({0, 1, 0}, {1, 0, 0}, {1, 0, 0}), both).x == 0);
+  CHECK(shade(s, Sphere{{0, 0.5f, 0}, 1}).x == 0);
+  CHECK(shade(s, Tube{{-1, 0.1f, 0}, {1, 0.1f, 0}, 1}).x == 0);
 }
 
 TEST_CASE("nothing_comes_from_below_the_horizon_and_half_a_light_from_across_it") {
   const Surface s = lambert();
   const Polygon below = Polygon::rectangle({0, -1, 0}, {0.5f, 0, 0}, {0, 0, 0.5f}, true);
-  CHECK(shade(s, below, Vec3f(1.0f)).x == 0);
-  CHECK(shade(s, Sphere{{0, -2, 0}, 1}, Vec3f(1.0f)).x == 0);
+  CHECK(shade(s, below).x == 0);
+  CHECK(shade(s, Sphere{{0, -2, 0}, 1}).x == 0);
   // A wall that stands half in the floor gives what its upper half gives.
   const Polygon wall = Polygon::rectangle({0, 0, -1}, {1, 0, 0}, {0, 1, 0});
   const Polygon upper = Polygon::rectangle({0, 0.5f, -1}, {1, 0, 0}, {0, 0.5f, 0});
-  CHECK(shade(s, wall, Vec3f(1.0f)).x ==
-        doctest::Approx(shade(s, upper, Vec3f(1.0f)).x).epsilon(1e-5));
+  CHECK(shade(s, wall).x == doctest::Approx(shade(s, upper).x).epsilon(1e-5));
   const Surface glossy = metal(0.4f, {0, 0.5f, 1});
-  CHECK(shade(glossy, wall, Vec3f(1.0f)).x ==
-        doctest::Approx(shade(glossy, upper, Vec3f(1.0f)).x).epsilon(1e-4));
+  CHECK(shade(glossy, wall).x == doctest::Approx(shade(glossy, upper).x).epsilon(1e-4));
 }
 
 TEST_CASE("holes_take_away_what_they_cut_out") {
@@ -206,7 +198,7 @@ TEST_CASE("holes_take_away_what_they_cut_out") {
   const Polygon ring = Polygon::from_rings({outer, hole});
   REQUIRE(ring.usable());
   CHECK(ring.area() == doctest::Approx(3));
-  CHECK(shade(lambert(), ring, Vec3f(1.0f)).x ==
+  CHECK(shade(lambert(), ring).x ==
         doctest::Approx(4 * (corner_factor(1, 1) - corner_factor(0.5, 0.5))).epsilon(2e-5));
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -31,7 +32,7 @@ const Polygon& lamp() {
   return polygon;
 }
 
-float light_of(const Surface& s) { return shade(s, lamp(), Vec3f(1.0f)).x; }
+float light_of(const Surface& s) { return shade(s, lamp()).x; }
 
 } // namespace
 
@@ -68,21 +69,24 @@ TEST_CASE("the_triangle_hides_what_is_behind_it_whatever_the_shading_normal_says
   const Surface known =
       make_surface({0, 0, 0}, shading, view, glossy(0.5f), built_in_table(), geometric);
   const Polygon behind = Polygon::rectangle({-1, 1, 0}, {0.5f, 0, 0}, {0, 0, 0.5f});
-  CHECK(shade(bent, behind, Vec3f(1.0f)).x > 0.01f);
-  CHECK(shade(known, behind, Vec3f(1.0f)).x == 0);
+  CHECK(shade(bent, behind).x > 0.01f);
+  CHECK(shade(known, behind).x == 0);
   CHECK(eval_surface(known, {-1, 1, 0}).x == 0);
   CHECK(pdf_surface(known, {-1, 1, 0}) == 0);
+  CHECK(sample_light(bent, behind, {0.5f, 0.5f}).valid);
+  CHECK(!sample_light(known, behind, {0.5f, 0.5f}).valid);
+  CHECK(pdf_light(bent, behind, {-1, 1, 0}) > 0);
+  CHECK(pdf_light(known, behind, {-1, 1, 0}) == 0);
   // Of a light across the plane the front part counts.
   const Polygon whole = Polygon::rectangle({0, 1, 0}, {1, 0, 0}, {0, 0, 1});
   const Polygon front = Polygon::rectangle({0.5f, 1, 0}, {0.5f, 0, 0}, {0, 0, 1});
-  CHECK(shade(known, whole, Vec3f(1.0f)).x ==
-        doctest::Approx(shade(bent, front, Vec3f(1.0f)).x).epsilon(1e-4));
-  CHECK(shade(known, whole, Vec3f(1.0f)).x < shade(bent, whole, Vec3f(1.0f)).x);
+  CHECK(shade(known, whole).x == doctest::Approx(shade(bent, front).x).epsilon(1e-4));
+  CHECK(shade(known, whole).x < shade(bent, whole).x);
   // So it is with the other shapes.
-  CHECK(shade(known, Sphere{{-1, 1, 0}, 0.5f}, Vec3f(1.0f)).x == 0);
-  CHECK(shade(known, disk({-1, 1, 0}, {0, -1, 0}, 0.5f), Vec3f(1.0f)).x == 0);
-  CHECK(shade(known, Tube{{-1, 1, -1}, {-1, 1, 1}, 0.2f}, Vec3f(1.0f)).x == 0);
-  CHECK(shade(known, Line{{-1, 1, -1}, {-1, 1, 1}}, Vec3f(1.0f)).x == 0);
+  CHECK(shade(known, Sphere{{-1, 1, 0}, 0.5f}).x == 0);
+  CHECK(shade(known, disk({-1, 1, 0}, {0, -1, 0}, 0.5f)).x == 0);
+  CHECK(shade(known, Tube{{-1, 1, -1}, {-1, 1, 1}, 0.2f}).x == 0);
+  CHECK(shade(known, Line{{-1, 1, -1}, {-1, 1, 1}}).x == 0);
   CHECK(shade(known, PointLight{{-1, 1, 0}}).x == 0);
   CHECK(shade(bent, PointLight{{-1, 1, 0}}).x > 0);
 }
@@ -95,8 +99,8 @@ TEST_CASE("back_faces_are_turned_round_by_their_triangle") {
       make_surface({0, 0, 0}, {0.1f, 1, 0}, view, glossy(0.4f), built_in_table(), {0, 1, 0});
   const Surface down =
       make_surface({0, 0, 0}, {-0.1f, -1, 0}, view, glossy(0.4f), built_in_table(), {0, -1, 0});
-  CHECK(shade(down, lamp_below, Vec3f(1.0f)).x > 0);
-  CHECK(shade(turned, lamp_below, Vec3f(1.0f)).x == shade(down, lamp_below, Vec3f(1.0f)).x);
+  CHECK(shade(down, lamp_below).x > 0);
+  CHECK(shade(turned, lamp_below).x == shade(down, lamp_below).x);
 }
 
 TEST_CASE("a_normal_that_faces_away_is_bent_not_dark") {
@@ -104,6 +108,24 @@ TEST_CASE("a_normal_that_faces_away_is_bent_not_dark") {
   const Surface away = make_surface({0, 0, 0}, {0, 1, -0.2f}, view, glossy(0.5f), built_in_table());
   REQUIRE(away.usable);
   CHECK(light_of(away) > 0);
+}
+
+TEST_CASE("a_point_has_no_side_of_a_flat_light_that_it_may_lie_in") {
+  // Half a millimetre in front of a wall's lamp, on a floor that runs into the wall.
+  const Polygon wall = Polygon::rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  Surface s = make_surface({0, 0, 5e-4f}, {0, 1, 0}, {0, 1, 1}, Material(), built_in_table());
+  CHECK(shade(s, wall).x > 0.1f); // half of what a floor in front of an endless wall has
+  set_position_error(s, 1e-4f);
+  CHECK(shade(s, wall).x > 0.1f);
+  set_position_error(s, 1e-3f);
+  CHECK(shade(s, wall).x == 0);
+  CHECK(shade(s, disk({0, 0, 0}, {0, 0, 1}, 1)).x == 0);
+  CHECK(!sample_light(s, wall, {0.5f, 0.9f}).valid);
+  const float more = s.point.position_error2;
+  for (const float less : {0.0f, -1.0f, 1e-5f, std::numeric_limits<float>::quiet_NaN()}) {
+    set_position_error(s, less);
+    CHECK(s.point.position_error2 == more);
+  }
 }
 
 TEST_CASE("ones_own_table_or_polynomial_serves_as_well_as_the_built_in") {
