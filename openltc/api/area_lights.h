@@ -51,7 +51,7 @@ inline Ellipse disk(Vec3f center, Vec3f normal, float radius, bool two_sided = f
   const Vec3f n = detail::unit_or(normal, Vec3f(0.0f));
   Ellipse ellipse;
   ellipse.center = center;
-  ellipse.half_u = f32::any_perpendicular(n) * radius;
+  ellipse.half_u = f32::any_perpendicular(n) * (detail::is_extent(radius) ? radius : 0.0f);
   ellipse.half_v = cross(n, ellipse.half_u);
   ellipse.two_sided = two_sided;
   return ellipse;

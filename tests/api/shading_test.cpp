@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace openltc;
@@ -176,6 +177,24 @@ TEST_CASE("lights_shine_to_their_own_side_and_two_sided_ones_to_both") {
   CHECK(shade(lambert({0, 1, 0}, {1, 0, 0}, {1, 0, 0}), both).x == 0);
   CHECK(shade(s, Sphere{{0, 0.5f, 0}, 1}).x == 0);
   CHECK(shade(s, Tube{{-1, 0.1f, 0}, {1, 0.1f, 0}, 1}).x == 0);
+}
+
+TEST_CASE("lights_of_no_size_or_out_of_reach_are_dark") {
+  const Surface s = lambert();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float size : {0.0f, -0.5f, 1e-13f, 2e8f, nan}) {
+    CAPTURE(size);
+    CHECK(shade(s, Sphere{{0, 1, 0}, size}).x == 0);
+    CHECK(shade(s, disk({0, 1, 0}, {0, -1, 0}, size)).x == 0);
+    CHECK(shade(s, Tube{{-1, 1, 0}, {1, 1, 0}, size}).x == 0);
+    CHECK(!sample_light(s, Sphere{{0, 1, 0}, size}, {0.5f, 0.5f}).valid);
+  }
+  CHECK(shade(s, Tube{{0, 1, 0}, {0, 1, 0}, 0.1f}).x == 0);
+  CHECK(shade(s, Line{{0, 1, 0}, {0, 1, 0}}).x == 0);
+  CHECK(shade(s, Sphere{{0, 5e8f, 0}, 9e7f}).x == 0);
+  CHECK(shade(s, Ellipse{{0, 1, 0}, {1, 0, 0}, {0.5f, 0, 0.5f}, true}).x == 0); // not perpendicular
+  CHECK(shade(s, PointLight{{0, 5e8f, 0}, {1e20f, 1e20f, 1e20f}}).x == 0);
+  CHECK(shade(s, DirectionalLight{{0, 0, 0}}).x == 0);
 }
 
 TEST_CASE("nothing_comes_from_below_the_horizon_and_half_a_light_from_across_it") {
