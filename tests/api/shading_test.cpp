@@ -37,7 +37,7 @@ Surface metal(float roughness, Vec3f view, const Lobes& lobes = built_in_table()
 }
 
 /// Factor from a differential element to a parallel rectangle a x b at distance 1, one corner of
-/// which lies over the element (Howell, B-3).
+/// which lies over the element.
 double corner_factor(double a, double b) {
   const double p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);
   return (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / (2 * k_pi);
@@ -88,11 +88,11 @@ TEST_CASE("the_diffuse_part_is_what_the_specular_one_leaves") {
 TEST_CASE("disk_and_sphere_over_a_lambertian_floor_give_their_configuration_factors") {
   for (const double radius : {0.01, 0.4, 2.0}) {
     CAPTURE(radius);
-    // Howell, B-12: a disk parallel to the element, on its normal.
+    // A disk parallel to the element, on its normal.
     const double factor = radius * radius / (1 + radius * radius);
     CHECK(shade(lambert(), disk({0, 1, 0}, {0, -1, 0}, float(radius))).x ==
           doctest::Approx(factor).epsilon(2e-5));
-    // Howell, B-42: a sphere above the element's horizon, at the angle t from its normal.
+    // A sphere above the element's horizon, at the angle t from its normal.
     for (const double t : {0.0, 0.5, 1.0}) {
       const double distance = 4 * radius;
       if (std::cos(t) * distance < radius) continue;

@@ -24,9 +24,10 @@ TEST_CASE("shade_quad_prints_the_light_of_the_floor_and_writes_a_picture") {
   REQUIRE(run.exit_code == 0);
   double nits = 0;
   REQUIRE(std::sscanf(run.out.c_str(), "in the middle: %lf nits", &nits) == 1);
-  // The factor from a floor's element to a square metre, a metre above it, is 0.2394 (Howell, B-3,
-  // four times): so much of 100 nits times the albedo is the most that the diffuse part gives, and
-  // a dielectric seen at 69 degrees leaves it more than four fifths.
+  // The factor from a floor's element to a square metre, a metre above it, is 0.2394 (Howell,
+  // "A Catalog of Radiation Heat Transfer Configuration Factors"): so much of 100 nits times the
+  // albedo is the most that the diffuse part gives, and a dielectric seen at 69 degrees leaves it
+  // more than four fifths.
   CHECK(nits > 0.8 * 0.2 * 23.94);
   CHECK(nits < 0.2 * 23.94 + 1); // the specular part, which the mirror ray leads past the lamp
 
