@@ -3,22 +3,24 @@
 #
 # openltc_library(NAME SOURCES files... PUBLIC targets... PRIVATE targets...)
 # makes the folder's library openltc_NAME, known to others as openltc::NAME. Whoever links it finds
-# the headers and gets C++20, but not our flags: those are openltc::options.
+# the headers and gets C++20, of what is headers alone C++17, but not our flags: those are openltc::options.
 
 function(openltc_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   if(ARG_SOURCES)
     add_library(openltc_${name} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)
+    set(standard cxx_std_20)
     target_link_libraries(openltc_${name}
       PUBLIC ${ARG_PUBLIC} PRIVATE $<BUILD_INTERFACE:openltc::options> ${ARG_PRIVATE})
     openltc_precompile(openltc_${name})
   else()
     add_library(openltc_${name} INTERFACE)
     set(scope INTERFACE)
+    set(standard cxx_std_17)
     target_link_libraries(openltc_${name} INTERFACE ${ARG_PUBLIC})
   endif()
   target_include_directories(openltc_${name} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
-  target_compile_features(openltc_${name} ${scope} cxx_std_20)
+  target_compile_features(openltc_${name} ${scope} ${standard})
   add_library(openltc::${name} ALIAS openltc_${name})
 endfunction()

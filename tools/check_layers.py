@@ -7,7 +7,8 @@
 
 1. A folder of openltc/ includes only itself and folders above it in k_layers; shade includes
    nothing, target only shade; light, scene and render do not include fit: fitting and rendering
-   meet only through a table. Nothing in openltc/ includes cli, tests or bench.
+   meet only through a table. Nothing in openltc/ includes cli, tests or bench. openltc/openltc.h, the
+   one header of the public API, includes openltc/api alone, and nothing in openltc/ includes it.
 2. Includes within the repository are written from its root.
 3. Embree, glTF, mesh codec and image file headers appear in .cpp files only; render/embree.h and
    image/exr_input.h, private headers that hide the difference between Embree 3 and 4 and between
@@ -22,11 +23,12 @@ import os
 import re
 import sys
 
-k_layers = ["shade", "target", "base", "image", "brdf", "table", "fit", "light", "scene", "render", "plot"]
+k_layers = ["shade", "target", "api", "base", "image", "brdf", "table", "fit", "light", "scene", "render", "plot"]
 k_source_endings = (".h", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh", ".mjs", ".cmake")
 k_source_names = ("CMakeLists.txt", "Makefile", "run")
 k_skipped_folders = {".git", "build", "out", "node_modules", "__pycache__"}
 k_root_list_lines = 80
+k_umbrella = "openltc.h"
 
 k_include = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 k_private_headers = re.compile(
@@ -65,6 +67,9 @@ def check_licence(lines):
 def check_library_include(path, form, header):
     """Breaches by one #include of a file of openltc/; path is like openltc/render/camera.cpp."""
     folder = path.split("/")[1]
+    if folder == k_umbrella:
+        return [] if header.startswith("openltc/api/") else ["openltc.h includes openltc/api alone, "
+                                                             'but here "%s"' % header]
     if k_private_headers.match(header):
         if not path.endswith(".cpp") and path not in k_private_headers_allowed:
             return ["<%s> belongs in a .cpp file" % header]
@@ -91,8 +96,8 @@ def check(root):
             lines = stream.read().splitlines()
         breaches += [(path, line, text) for line, text in check_licence(lines)]
         parts = path.split("/")
-        if parts[0] == "openltc" and len(parts) > 2:
-            if parts[1] not in k_layers:
+        if parts[0] == "openltc" and (len(parts) > 2 or parts[1] == k_umbrella):
+            if parts[1] not in k_layers + [k_umbrella]:
                 breaches.append((path, 1, "openltc/%s is not in the list of layers" % parts[1]))
                 continue
             for number, line in enumerate(lines, 1):

@@ -6,5 +6,5 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 openltc=${1:-$root/build/release/bin/openltc}
-"$openltc" fit --brdf ggx --size 64 -o "$root/openltc/table/builtin_ggx.cpp"
-"$openltc" fit --brdf ggx --form polynomial --degree 4 -o "$root/openltc/table/builtin_ggx_polynomial.cpp"
+"$openltc" fit --brdf ggx --size 64 -o "$root/openltc/api/ggx_table.inc"
+"$openltc" fit --brdf ggx --form polynomial --degree 4 -o "$root/openltc/api/ggx_polynomial.inc"

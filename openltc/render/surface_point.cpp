@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Material model: glTF 2.0 Appendix B with KHR_materials_specular and KHR_materials_ior.
+// The material model is that of openltc/api/material.h.
 
 #include "openltc/render/surface_point.h"
+
+#include "openltc/api/material.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,8 @@
 namespace openltc::render {
 
 namespace {
+
+using detail::unit_or;
 
 struct Corner {
   std::uint32_t a, b, c;
@@ -35,13 +39,6 @@ Vec4f interpolate(const std::vector<Vec4f>& values, const Corner& c) {
   return {a.x * c.wa + b.x * c.wb + d.x * c.wc, a.y * c.wa + b.y * c.wb + d.y * c.wc,
           a.z * c.wa + b.z * c.wb + d.z * c.wc, a.w * c.wa + b.w * c.wb + d.w * c.wc};
 }
-
-Vec3f safe_normalize(Vec3f v, Vec3f fallback) {
-  const float length2 = dot(v, v);
-  return length2 > 1.0e-30f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
-}
-
-float saturate(float x) { return std::clamp(x, 0.0f, 1.0f); }
 
 // In double, so that it is off by no more than its rounding.
 Vec3f position_of(const scene::Mesh& mesh, const Corner& c) {
@@ -81,22 +78,13 @@ Vec3f mapped_normal(const scene::Mesh& mesh, const scene::Material& m, const Tex
   if (m.normal_texture.texture < 0 || mesh.tangents.empty()) return normal;
   const Vec4f t4 = interpolate(mesh.tangents, c);
   const Vec3f t3(t4.x, t4.y, t4.z);
-  const Vec3f tangent = safe_normalize(t3 - normal * dot(normal, t3), Vec3f(0.0f));
+  const Vec3f tangent = unit_or(t3 - normal * dot(normal, t3), Vec3f(0.0f));
   if (dot(tangent, tangent) == 0) return normal;
   const Vec3f bitangent = cross(normal, tangent) * (t4.w < 0 ? -1.0f : 1.0f);
   const Vec4f texel = textures.sample(m.normal_texture, uv, width);
   const Vec3f n((2 * texel.x - 1) * m.normal_scale, (2 * texel.y - 1) * m.normal_scale,
                 2 * texel.z - 1);
-  return safe_normalize(tangent * n.x + bitangent * n.y + normal * n.z, normal);
-}
-
-// Bends a normal that faces away from the viewer, as interpolation and normal maps make them, until
-// the view direction grazes it: shading has no lobe from below the horizon.
-Vec3f towards_viewer(Vec3f normal, Vec3f view) {
-  constexpr float k_grazing = 1.0e-3f;
-  const float cos_view = dot(normal, view);
-  if (cos_view >= k_grazing) return normal;
-  return safe_normalize(normal + view * (k_grazing - cos_view), view);
+  return unit_or(tangent * n.x + bitangent * n.y + normal * n.z, normal);
 }
 
 } // namespace
@@ -108,8 +96,8 @@ float surface_alpha(const scene::Scene& scene, const TextureSet& textures, std::
   const Corner c = corner(mesh, triangle, u, v);
   const Vec2f uv[2] = {interpolate(mesh.tex_coord_0, c), interpolate(mesh.tex_coord_1, c)};
   const float sharp[2] = {0, 0};
-  return saturate(m.base_color.w * interpolate(mesh.colors, c).w *
-                  textures.sample(m.base_color_texture, uv, sharp).w);
+  return detail::saturate(m.base_color.w * interpolate(mesh.colors, c).w *
+                          textures.sample(m.base_color_texture, uv, sharp).w);
 }
 
 SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textures,
@@ -124,7 +112,7 @@ SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textu
   s.position = position_of(mesh, c);
   const Vec3f& pa = mesh.positions[c.a];
   const Vec3f area_vector = cross(mesh.positions[c.b] - pa, mesh.positions[c.c] - pa);
-  const Vec3f front = safe_normalize(area_vector, s.view);
+  const Vec3f front = unit_or(area_vector, s.view);
   const bool from_front = dot(front, s.view) >= 0;
   s.geometric = from_front ? front : -front;
 
@@ -138,10 +126,10 @@ SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textu
   const float width[2] = {on_surface * uv_per_metre(mesh.tex_coord_0, c, area_vector),
                           on_surface * uv_per_metre(mesh.tex_coord_1, c, area_vector)};
 
-  Vec3f normal = safe_normalize(interpolate(mesh.normals, c), front);
+  Vec3f normal = unit_or(interpolate(mesh.normals, c), front);
   normal = mapped_normal(mesh, m, textures, c, uv, width, normal);
   if (!from_front) normal = -normal;
-  s.normal = towards_viewer(normal, s.view);
+  s.normal = detail::towards_viewer(normal, s.view);
 
   const Vec4f vertex_color = interpolate(mesh.colors, c);
   const Vec4f base_texel = textures.sample(m.base_color_texture, uv, width);
@@ -152,23 +140,18 @@ SurfacePoint evaluate_surface(const scene::Scene& scene, const TextureSet& textu
   if (!from_front && !m.double_sided)
     s.alpha = 0;
   else if (m.alpha_mode == scene::AlphaMode::blend)
-    s.alpha = saturate(m.base_color.w * vertex_color.w * base_texel.w);
+    s.alpha = detail::saturate(m.base_color.w * vertex_color.w * base_texel.w);
 
   const Vec4f mr = textures.sample(m.metallic_roughness_texture, uv, width);
-  const float metallic = saturate(m.metallic * mr.z);
-  s.roughness = saturate(m.roughness * mr.y);
-  const float specular = saturate(m.specular * textures.sample(m.specular_texture, uv, width).w);
+  const Vec4f specular_texel = textures.sample(m.specular_texture, uv, width);
   const Vec4f tint = textures.sample(m.specular_color_texture, uv, width);
-
-  // Dielectric reflectance from the index of refraction; 0 stands for "as bright as possible".
-  const float r = m.ior > 0 ? (m.ior - 1) / (m.ior + 1) : 1.0f;
-  const Vec3f dielectric(std::min(r * r * m.specular_color.x * tint.x, 1.0f) * specular,
-                         std::min(r * r * m.specular_color.y * tint.y, 1.0f) * specular,
-                         std::min(r * r * m.specular_color.z * tint.z, 1.0f) * specular);
-  const Vec3f color(saturate(base.x), saturate(base.y), saturate(base.z));
-  s.f0 = dielectric * (1 - metallic) + color * metallic;
-  s.f90 = specular * (1 - metallic) + metallic;
-  s.albedo = color * (1 - metallic);
+  const Reflectance reflectance =
+      mix_reflectance(base, m.metallic * mr.z, m.roughness * mr.y, m.specular * specular_texel.w,
+                      m.specular_color * dielectric_f0(m.ior) * Vec3f(tint.x, tint.y, tint.z));
+  s.f0 = reflectance.f0;
+  s.f90 = reflectance.f90;
+  s.albedo = reflectance.albedo;
+  s.roughness = reflectance.roughness;
 
   const Vec4f glow = textures.sample(m.emission_texture, uv, width);
   const bool emits = from_front || m.double_sided;

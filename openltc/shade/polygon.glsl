@@ -15,7 +15,7 @@
 //   bool polygon_two_sided(Polygon)
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
-//   Real polygon_radius(Polygon)                 see light::PolygonMoments; around the centroid
+//   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
 
 /// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
 /// normal, meets the y axis.

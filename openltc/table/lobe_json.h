@@ -27,8 +27,15 @@ std::string metadata_json(const TableMetadata& metadata);
 /// The inverse, from the file's root. Fails when there is none.
 Status read_metadata(const nlohmann::json& root, const std::string& name, TableMetadata& metadata);
 
-/// C++ statements that assign all fields to `variable`.metadata, one a line.
-std::string metadata_assignments(const TableMetadata& metadata, const std::string& variable);
+// The parts of a built-in's C++ source (openltc/api/*.inc): constants of the namespace openltc.
+
+/// Licence, origin, what a line of the numbers holds, includes and the namespace's beginning.
+std::string builtin_head(const TableMetadata& metadata, const std::string& line);
+/// The metadata as a constant of type LobeMetadata.
+std::string builtin_metadata(const std::string& constant, const TableMetadata& metadata);
+/// Texels or terms of LobeTable::k_channels floats as a constant array, one of them a line, with
+/// all channels; then the namespace's end.
+std::string builtin_numbers(const std::string& constant, const std::vector<float>& values);
 
 /// The stored channels of texels or terms of `stride` floats, one of them a line, each number the
 /// shortest that reads back as the same float.

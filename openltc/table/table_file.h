@@ -37,7 +37,8 @@ Status write_table(const LobeTable& table, const std::string& path);
 /// Whether write_table knows the extension of `path`; the error says which it knows.
 Status check_writable_extension(const std::string& path);
 
-/// C++ source that defines builtin_ggx_table() with the contents of `table`.
+/// C++ source that defines the constants k_ggx_table, its size and its metadata, of the built-in
+/// table (openltc/api/ggx_table.inc), with the contents of `table`.
 std::string to_builtin_source(const LobeTable& table);
 
 } // namespace openltc::table

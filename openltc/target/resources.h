@@ -41,7 +41,7 @@ struct PolygonView {
   float axis_v[3] = {0, 1, 0};
   float normal[3] = {0, 0, 1};   ///< towards the emitting side
   float centroid[3] = {0, 0, 0}; ///< of the area, world space
-  float spread_u[3] = {0, 0, 0}; ///< see light::PolygonMoments, world space
+  float spread_u[3] = {0, 0, 0}; ///< see PolygonMoments, world space
   float spread_v[3] = {0, 0, 0};
   float radius = 0; ///< metres from the centroid to the farthest point
   /// Its area cut into triangles, for sampling: triangle_count * 9 floats, corner, edge, edge

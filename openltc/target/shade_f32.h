@@ -12,6 +12,19 @@
 #include <cstddef>
 #include <cstdint>
 
+// The dialect's constants are written with all their digits, as literals without a suffix, and
+// round to float here.
+#if defined(__clang__)
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wimplicit-float-conversion"
+#elif defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-conversion"
+#elif defined(_MSC_VER)
+#pragma warning(push)
+#pragma warning(disable : 4244 4305)
+#endif
+
 namespace openltc::f32 {
 
 using Scalar = float;
@@ -22,3 +35,11 @@ using Scalar = float;
 #undef CONSTANT
 
 } // namespace openltc::f32
+
+#if defined(__clang__)
+#pragma clang diagnostic pop
+#elif defined(__GNUC__)
+#pragma GCC diagnostic pop
+#elif defined(_MSC_VER)
+#pragma warning(pop)
+#endif

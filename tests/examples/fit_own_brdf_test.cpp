@@ -5,44 +5,19 @@
 
 #include "openltc/table/packed_file.h"
 #include "openltc/table/table_file.h"
+#include "tests/examples/run_example.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cstdio>
 #include <string>
-#include <sys/wait.h>
 
 using namespace openltc;
 
-namespace {
-
-struct Run {
-  int exit_code = -1;
-  std::string out;
-};
-
-// With stderr behind stdout.
-Run run_example(const std::string& folder) {
-  const std::string command =
-      std::string("'") + OPENLTC_EXAMPLE_FIT_OWN_BRDF + "' '" + folder + "' 2>&1";
-  Run run;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::array<char, 256> line{};
-  while (std::fgets(line.data(), int(line.size()), pipe) != nullptr)
-    run.out += line.data();
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) run.exit_code = WEXITSTATUS(status);
-  return run;
-}
-
-} // namespace
-
 TEST_CASE("fit_own_brdf_prints_a_small_error_and_writes_files_that_read") {
   const image::test::TemporaryFolder folder;
-  const Run run = run_example(folder.file(""));
+  const testing::Run run = testing::run_example(OPENLTC_EXAMPLE_FIT_OWN_BRDF, folder.file(""));
   CAPTURE(run.out);
   REQUIRE(run.exit_code == 0);
   double mean = -1, p95 = -1, largest = -1;
@@ -75,7 +50,8 @@ TEST_CASE("fit_own_brdf_prints_a_small_error_and_writes_files_that_read") {
 
 TEST_CASE("fit_own_brdf_says_in_one_line_what_it_cannot_write") {
   const image::test::TemporaryFolder folder;
-  const Run run = run_example(folder.file("missing"));
+  const testing::Run run =
+      testing::run_example(OPENLTC_EXAMPLE_FIT_OWN_BRDF, folder.file("missing"));
   CHECK(run.exit_code == 1);
   CHECK(run.out.find("ward.json") != std::string::npos);
   CHECK(folder.file_count() == 0);

@@ -48,7 +48,7 @@ TEST_CASE("the built-in table regenerates byte for byte") {
   fit::complete_metadata(fitted->metadata,
                          *fit::measure_lobes(ggx(), fit::lobes_of(*fitted), clipped()),
                          version.c_str(), "openltc fit --brdf ggx --size 64");
-  std::ifstream file(OPENLTC_SOURCE_DIR "/openltc/table/builtin_ggx.cpp", std::ios::binary);
+  std::ifstream file(OPENLTC_SOURCE_DIR "/openltc/api/ggx_table.inc", std::ios::binary);
   const std::string source{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   REQUIRE(!source.empty());
   // Not CHECK(a == b): the message would be 230 kB.
@@ -64,8 +64,7 @@ TEST_CASE("the built-in polynomial regenerates byte for byte") {
   fit::complete_metadata(polynomial.metadata,
                          *fit::measure_lobes(ggx(), fit::lobes_of(polynomial), clipped()),
                          version.c_str(), "openltc fit --brdf ggx --form polynomial --degree 4");
-  std::ifstream file(OPENLTC_SOURCE_DIR "/openltc/table/builtin_ggx_polynomial.cpp",
-                     std::ios::binary);
+  std::ifstream file(OPENLTC_SOURCE_DIR "/openltc/api/ggx_polynomial.inc", std::ios::binary);
   const std::string source{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   // Its joint fit stops within a relative 1e-5 of the optimum, where the last bits of a maths
   // library still show: byte for byte where the built-in was made, Debian 12, close everywhere.

@@ -3,7 +3,7 @@
 
 #include "polygon_fixture.h"
 
-#include "openltc/light/polygon_moments.h"
+#include "openltc/api/polygon_moments.h"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +112,7 @@ TestPolygon::TestPolygon(const std::vector<Ring>& rings, Vec3d origin, Vec3d axi
   for (std::size_t i = 0; i < in_plane_.size(); i += 2)
     flat.push_back({double(in_plane_[i]), double(in_plane_[i + 1])});
   const auto starts_ring = [&](std::size_t i) { return points_[4 * i + 3] != 0.0f; };
-  const light::PolygonMoments moments = light::polygon_moments(flat, starts_ring);
+  const PolygonMoments moments = polygon_moments(flat, starts_ring);
   view_.area = float(moments.area);
   for (const Vec2d& p : flat)
     view_.radius = std::max(view_.radius,

@@ -57,6 +57,13 @@ class Layers(unittest.TestCase):
             self.assert_breach("openltc/%s/a.cpp" % folder, '#include "openltc/fit/fit.h"\n',
                                "may not include fit")
 
+    def test_the_public_header_includes_the_api_alone(self):
+        self.assert_clean("openltc/openltc.h", '#include "openltc/api/surface.h"\n')
+        self.assert_breach("openltc/openltc.h", '#include "openltc/light/light.h"\n', "api alone")
+        self.assert_breach("openltc/openltc.h", '#include <vector>\n', "api alone")
+        self.assert_breach("openltc/api/a.h", '#include "openltc/base/result.h"\n', "may not include")
+        self.assert_breach("openltc/render/a.cpp", '#include "openltc/openltc.h"\n', "includes start")
+
     def test_shade_includes_nothing(self):
         self.assert_breach("openltc/shade/a.glsl", "#include <cmath>\n", "includes nothing")
         self.assert_breach("openltc/shade/a.glsl", '#include "openltc/shade/b.glsl"\n',

@@ -16,6 +16,9 @@ project(consumer LANGUAGES CXX)
 add_subdirectory("%s" openltc)
 add_executable(consumer consumer.cpp)
 target_link_libraries(consumer PRIVATE openltc::base)
+add_executable(engine engine.cpp)
+target_link_libraries(engine PRIVATE openltc::api)
+set_target_properties(engine PROPERTIES CXX_STANDARD 17)
 foreach(name openltc test_base bench_fit)
   if(TARGET ${name})
     message(FATAL_ERROR "${name} is there")
@@ -27,11 +30,16 @@ k_source = """#include "openltc/base/quote.h"
 int main() { return openltc::escaped("a\\tb") == "a\\\\tb" ? 0 : 1; }
 """
 
+k_engine = """#include "openltc/openltc.h"
+int main() { return openltc::Polygon::rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}).usable() ? 0 : 1; }
+"""
+
 
 class Subproject(unittest.TestCase):
     def test_add_subdirectory(self):
         with tempfile.TemporaryDirectory() as folder:
-            for name, text in (("CMakeLists.txt", k_project), ("consumer.cpp", k_source)):
+            for name, text in (("CMakeLists.txt", k_project), ("consumer.cpp", k_source),
+                               ("engine.cpp", k_engine)):
                 with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
                     stream.write(text)
             build = os.path.join(folder, "build")
@@ -46,8 +54,14 @@ class Subproject(unittest.TestCase):
             self.assertIn("-std=c++20", line.replace("gnu++20", "c++20"))
             for flag in ("-Wextra", "-Werror", "-ffp-contract", "-fno-math-errno"):
                 self.assertNotIn(flag, line)
-            self.run_all(["ninja", "-C", build, "-j", "2", "consumer"])
+            # The public API alone asks for C++17, and for no library.
+            commands = self.run_all(["ninja", "-C", build, "-t", "commands", "engine"])
+            line = next(l for l in commands.splitlines() if "-c" in l and "engine.cpp" in l)
+            self.assertIn("-std=c++17", line.replace("gnu++17", "c++17"))
+            self.assertNotIn("libopenltc", commands)
+            self.run_all(["ninja", "-C", build, "-j", "2", "consumer", "engine"])
             self.run_all([os.path.join(build, "consumer")])
+            self.run_all([os.path.join(build, "engine")])
 
     def run_all(self, command):
         result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -1,16 +1,18 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-
+//
 // Area, centroid and spread of a planar outline: what shading knows of a polygon that is small.
 
 #pragma once
 
 #include "openltc/target/vec.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <span>
+#include <vector>
 
-namespace openltc::light {
+namespace openltc {
 
 struct PolygonMoments {
   double area = 0; ///< signed, positive counter-clockwise
@@ -21,16 +23,24 @@ struct PolygonMoments {
   Vec2d spread_u{0, 0}, spread_v{0, 0};
 };
 
-/// Moments of rings of points, one after the other; every ring repeats its first point at its end,
-/// and starts_ring tells where one begins. Holes run the other way round.
-template <class StartsRing>
-PolygonMoments polygon_moments(std::span<const Vec2d> points, const StartsRing& starts_ring);
+namespace detail {
 
 /// The principal axes of a covariance matrix [xx xy; xy yy], scaled as PolygonMoments says.
-void set_spread(PolygonMoments& moments, double xx, double xy, double yy);
+inline void set_spread(PolygonMoments& moments, double xx, double xy, double yy) {
+  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+  const double mean = 0.5 * (xx + yy), half = std::hypot(0.5 * (xx - yy), xy);
+  const double u = std::sqrt(2 * std::max(mean + half, 0.0));
+  const double v = std::sqrt(2 * std::max(mean - half, 0.0));
+  moments.spread_u = Vec2d(std::cos(angle), std::sin(angle)) * u;
+  moments.spread_v = Vec2d(-std::sin(angle), std::cos(angle)) * v;
+}
 
+} // namespace detail
+
+/// Moments of rings of points, one after the other; every ring repeats its first point at its end,
+/// and starts_ring(i) tells where one begins. Holes run the other way round.
 template <class StartsRing>
-PolygonMoments polygon_moments(std::span<const Vec2d> points, const StartsRing& starts_ring) {
+PolygonMoments polygon_moments(const std::vector<Vec2d>& points, const StartsRing& starts_ring) {
   PolygonMoments m;
   if (points.empty()) return m;
   // About the first point, so that nothing cancels: triangles (0, a, b) with signed areas.
@@ -51,8 +61,8 @@ PolygonMoments polygon_moments(std::span<const Vec2d> points, const StartsRing& 
   x /= m.area;
   y /= m.area;
   m.centroid = origin + Vec2d(x, y);
-  set_spread(m, xx / m.area - x * x, xy / m.area - x * y, yy / m.area - y * y);
+  detail::set_spread(m, xx / m.area - x * x, xy / m.area - x * y, yy / m.area - y * y);
   return m;
 }
 
-} // namespace openltc::light
+} // namespace openltc

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Where the fitted lobes of a specular BRDF come from: a table or a polynomial.
+//
+// Source: Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly
+// Transformed Cosines"; both forms are fitted by `openltc fit` to GGX with height-correlated Smith
+// masking, and say in their metadata how well.
+//
+// Define OPENLTC_NO_TABLE to leave the table out, 128 KiB of constants.
+
+#pragma once
+
+#include "openltc/api/ggx_polynomial.inc"
+#ifndef OPENLTC_NO_TABLE
+#include "openltc/api/ggx_table.inc"
+#endif
+#include "openltc/target/shade_f32.h"
+
+namespace openltc {
+
+/// Lobes over roughness and view angle. A view: the arrays behind it outlive every surface that is
+/// made with it. Without any, surfaces are black.
+struct Lobes {
+  /// 8 floats a texel, A B C D n1 n5 0 0; columns are roughness = sqrt(alpha) from 0 to 1, rows
+  /// sqrt(1 - cos theta) from 0 to 1, nodes at both ends. A table of `openltc fit` or of your own.
+  LobeTableView table;
+  /// Used instead of the table where it has coefficients: (degree + 1)(degree + 2)/2 terms of 8
+  /// floats, A B C D n1 s 0 0 (openltc/shade/polynomial.glsl).
+  LobePolynomialView polynomial;
+};
+
+#ifndef OPENLTC_NO_TABLE
+/// The table that comes with the library, 64 x 64, GGX: k_ggx_table_metadata says how it was made.
+inline Lobes built_in_table() {
+  Lobes lobes;
+  lobes.table = {k_ggx_table, k_ggx_table_columns, k_ggx_table_rows};
+  return lobes;
+}
+#endif
+
+/// The same BRDF as polynomials of degree 4: 15 terms, no memory to fetch from, about as exact
+/// (k_ggx_polynomial_metadata).
+inline Lobes built_in_polynomial() {
+  Lobes lobes;
+  lobes.polynomial = {k_ggx_polynomial, k_ggx_polynomial_degree};
+  return lobes;
+}
+
+namespace detail {
+
+inline bool has_lobes(const Lobes& lobes) {
+  return lobes.polynomial.coefficients ||
+         (lobes.table.texels && lobes.table.columns > 0 && lobes.table.rows > 0);
+}
+
+inline f32::FittedLobe find_lobe(const Lobes& lobes, float roughness, float cos_theta) {
+  if (lobes.polynomial.coefficients)
+    return f32::eval_lobe_polynomial(lobes.polynomial, f32::alpha_from_roughness(roughness),
+                                     cos_theta);
+  return f32::fetch_lobe_of_roughness(lobes.table, roughness, cos_theta);
+}
+
+} // namespace detail
+
+} // namespace openltc

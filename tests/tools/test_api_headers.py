@@ -1,0 +1,92 @@
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+"""openltc/openltc.h is what it says: C++17, without warnings, by GCC and Clang, and leaves no macros.
+
+    test_api_headers.py COMPILER   the build's own, besides those that are found
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+k_flags = ["-std=c++17", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic", "-Werror", "-I", k_root]
+k_own = sys.argv.pop(1)
+
+
+def compilers():
+    """The build's compiler, and one of the other kind if there is one."""
+    found = [k_own]
+    other = ["clang++-14", "clang++"] if "clang" not in os.path.basename(k_own) else ["g++-12", "g++-11", "g++"]
+    return found + [path for path in map(shutil.which, other) if path][:1]
+
+
+def macros_of(compiler, text):
+    """Names of the macros that are defined at the end of a source."""
+    run = subprocess.run([compiler, "-std=c++17", "-I", k_root, "-dM", "-E", "-x", "c++", "-"], input=text,
+                         capture_output=True, text=True, check=True)
+    return {line.split()[1].split("(")[0] for line in run.stdout.splitlines()}
+
+
+class ApiHeaders(unittest.TestCase):
+    def compile(self, compiler, arguments):
+        run = subprocess.run([compiler] + k_flags + arguments, capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 0, "%s\n%s" % (compiler, run.stderr))
+
+    def test_all_of_the_api_is_cxx17_without_warnings(self):
+        for compiler in compilers():
+            with tempfile.TemporaryDirectory() as folder:
+                self.compile(compiler, ["-O1", "-c", os.path.join(k_root, "tests/api/second_unit.cpp"), "-o",
+                                        os.path.join(folder, "unit.o")])
+
+    def test_the_table_can_be_left_out(self):
+        for compiler in compilers():
+            with tempfile.TemporaryDirectory() as folder:
+                source = os.path.join(folder, "no_table.cpp")
+                with open(source, "w", encoding="utf-8") as stream:
+                    stream.write('#include "openltc/openltc.h"\n'
+                                 "int main() { return openltc::built_in_polynomial().polynomial.degree - 4; }\n")
+                self.compile(compiler, ["-DOPENLTC_NO_TABLE", "-fsyntax-only", source])
+                with open(source, "w", encoding="utf-8") as stream:
+                    stream.write('#include "openltc/openltc.h"\nconst float* table = openltc::k_ggx_table;\n')
+                run = subprocess.run([compiler] + k_flags + ["-DOPENLTC_NO_TABLE", "-fsyntax-only", source],
+                                     capture_output=True, check=False)
+                self.assertNotEqual(run.returncode, 0, "OPENLTC_NO_TABLE leaves the table in")
+
+    def test_the_code_of_the_documents_compiles(self):
+        for name in ("README.md", "README.zh-CN.md", "docs/api.md"):
+            with open(os.path.join(k_root, name), encoding="utf-8") as stream:
+                blocks = re.findall(r"^```cpp\n(.*?)^```$", stream.read(), re.S | re.M)
+            self.assertGreater(len(blocks), 0, name)
+            # What is no whole program stands in a function, with the names that the text takes for granted.
+            text = blocks[0] + "Vec2f random_2();\nbool is_open(Vec3f, Vec3f);\n"
+            for number, block in enumerate(blocks[1:]):
+                text += ("Vec3f block_%d(const Surface& surface, Vec3f point, Vec3f radiance, int samples) {\n%s"
+                         "return shaded;\n}\n" % (number, block))
+            run = subprocess.run([k_own] + k_flags + ["-fsyntax-only", "-x", "c++", "-"], capture_output=True,
+                                 text=True, check=False, input=text)
+            self.assertEqual(run.returncode, 0, "%s\n%s" % (name, run.stderr))
+
+    def test_every_header_includes_what_it_needs(self):
+        folder = os.path.join(k_root, "openltc", "api")
+        names = sorted(name for name in os.listdir(folder) if name.endswith((".h", ".inc")))
+        self.assertGreater(len(names), 5)
+        for name in names:
+            run = subprocess.run([k_own] + k_flags + ["-fsyntax-only", "-x", "c++", "-"], capture_output=True,
+                                 text=True, check=False, input='#include "openltc/api/%s"\n' % name)
+            self.assertEqual(run.returncode, 0, "%s\n%s" % (name, run.stderr))
+
+    def test_no_macro_is_left_behind(self):
+        standard = "".join("#include <%s>\n" % name for name in
+                           ("algorithm", "cmath", "cstddef", "cstdint", "limits", "utility", "vector"))
+        for compiler in compilers():
+            left = macros_of(compiler, standard + '#include "openltc/openltc.h"\n') - macros_of(compiler, standard)
+            self.assertEqual(left, set())
+
+
+if __name__ == "__main__":
+    unittest.main()
