@@ -4,8 +4,8 @@
 #include "cli/convert_photometry.h"
 
 #include "cli/output_place.h"
+#include "cli/process/message.h"
 #include "openltc/base/atomic_file.h"
-#include "openltc/base/message.h"
 #include "openltc/light/photometry.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 
 #include "cli/output_place.h"
 #include "cli/picture_output.h"
-#include "openltc/base/message.h"
+#include "cli/process/message.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 #include "cli/convert_scene.h"
 
 #include "cli/output_place.h"
+#include "cli/process/message.h"
 #include "openltc/base/atomic_file.h"
-#include "openltc/base/message.h"
 #include "openltc/scene/gltf_export.h"
 
 #include <fmt/format.h>

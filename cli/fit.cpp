@@ -9,9 +9,9 @@
 #include "cli/fit_job.h"
 #include "cli/number.h"
 #include "cli/output_place.h"
-#include "cli/standard_streams.h"
+#include "cli/process/message.h"
+#include "cli/process/standard_streams.h"
 #include "openltc/base/atomic_file.h"
-#include "openltc/base/message.h"
 #include "openltc/brdf/choose.h"
 #include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
@@ -164,8 +164,8 @@ int run_fit(const FitArguments& arguments) {
 
   const bool terminal = isatty(STDERR_FILENO) != 0 && !arguments.quiet;
   const auto progress = [&](double share) {
-    if (!terminal) return;
-    say("\rfitting {}: {:3.0f} % ", brdf->name, share * 100);
+    if (terminal) say("\rfitting {}: {:3.0f} % ", brdf->name, share * 100);
+    return true;
   };
   Result<FittedLobes> fitted = fit_lobes(*brdf, choices, progress);
   if (terminal) say("\r{:60}\r", "");

@@ -57,11 +57,11 @@ std::string interpolation_warning(const PackedTable& packed) {
 }
 
 Result<FittedLobes> fit_polynomial_form(const brdf::Brdf& brdf, const FitChoices& choices,
-                                        const fit::Objective& objective) {
+                                        const fit::Objective& objective, const Progress& progress) {
   fit::PolynomialFitOptions options;
   options.degree = choices.degree;
   options.objective = objective;
-  Result<fit::PolynomialFit> fitted = fit::fit_polynomial(brdf, options);
+  Result<fit::PolynomialFit> fitted = fit::fit_polynomial(brdf, options, progress);
   if (!fitted) return fitted.error();
   FittedLobes result;
   result.stored = std::move(fitted->polynomial);
@@ -72,8 +72,7 @@ Result<FittedLobes> fit_polynomial_form(const brdf::Brdf& brdf, const FitChoices
 }
 
 Result<FittedLobes> fit_table_form(const brdf::Brdf& brdf, const FitChoices& choices,
-                                   const fit::Objective& objective,
-                                   const std::function<void(double)>& progress) {
+                                   const fit::Objective& objective, const Progress& progress) {
   fit::TableFitOptions options;
   options.size = choices.size;
   options.refine = choices.refine;
@@ -170,7 +169,7 @@ Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const Fit
 }
 
 Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
-                              const std::function<void(double)>& progress) {
+                              const Progress& progress) {
   const Result<fit::Objective> found = fit::find_objective(choices.objective);
   if (!found) return found.error();
   fit::Objective objective = *found;
@@ -179,7 +178,7 @@ Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
 
   const auto begin = std::chrono::steady_clock::now();
   Result<FittedLobes> result = choices.form == LobeForm::polynomial
-                                   ? fit_polynomial_form(brdf, choices, objective)
+                                   ? fit_polynomial_form(brdf, choices, objective, progress)
                                    : fit_table_form(brdf, choices, objective, progress);
   if (!result) return result;
   result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

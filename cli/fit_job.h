@@ -6,13 +6,13 @@
 #pragma once
 
 #include "cli/lobe_file.h"
+#include "openltc/base/progress.h"
 #include "openltc/brdf/brdf.h"
 #include "openltc/fit/report.h"
 #include "openltc/fit/table_fit.h"
 #include "openltc/table/layout.h"
 #include "openltc/table/lobe_polynomial.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -65,7 +65,7 @@ Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const Fit
 
 /// Fits. The metadata lacks the error, which state_error adds.
 Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
-                              const std::function<void(double)>& progress);
+                              const Progress& progress);
 
 /// What the files say of the error over the first region of a report.
 void state_error(FittedLobes& fitted, const fit::TableError& error);

@@ -7,9 +7,9 @@
 
 #include "cli/commands.h"
 #include "cli/pose_options.h"
+#include "cli/process/standard_streams.h"
 #include "cli/reading_options.h"
 #include "cli/shape_options.h"
-#include "cli/standard_streams.h"
 #include "openltc/image/file.h"
 #include "openltc/table/packed_file.h"
 

@@ -8,8 +8,8 @@
 #include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/output_place.h"
+#include "cli/process/message.h"
 #include "openltc/base/atomic_file.h"
-#include "openltc/base/message.h"
 #include "openltc/brdf/choose.h"
 #include "openltc/plot/output.h"
 

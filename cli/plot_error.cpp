@@ -6,7 +6,7 @@
 #include "cli/against.h"
 #include "cli/fit_job.h"
 #include "cli/plot.h"
-#include "openltc/base/message.h"
+#include "cli/process/message.h"
 #include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/error_figure.h"

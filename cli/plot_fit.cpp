@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "cli/fit_job.h"
 #include "cli/plot.h"
-#include "openltc/base/message.h"
+#include "cli/process/message.h"
 #include "openltc/plot/fit_figure.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 
 #include "cli/fit_job.h"
 #include "cli/plot.h"
-#include "openltc/base/message.h"
+#include "cli/process/message.h"
 #include "openltc/light/photometry.h"
 #include "openltc/plot/photometry_figure.h"
 

@@ -8,7 +8,7 @@
 #include "cli/fit_job.h"
 #include "cli/lobe_file.h"
 #include "cli/plot.h"
-#include "openltc/base/message.h"
+#include "cli/process/message.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/point_figure.h"
 

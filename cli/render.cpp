@@ -11,12 +11,13 @@
 #include "cli/output_place.h"
 #include "cli/picture_output.h"
 #include "cli/pose_options.h"
+#include "cli/process/message.h"
+#include "cli/process/progress_bar.h"
+#include "cli/process/standard_streams.h"
 #include "cli/reading_options.h"
 #include "cli/shape_options.h"
-#include "cli/standard_streams.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/base/memory_budget.h"
-#include "openltc/base/message.h"
 #include "openltc/render/renderer.h"
 #include "openltc/render/studio_room.h"
 #include "openltc/scene/gltf.h"
@@ -229,7 +230,6 @@ int run_render(const RenderArguments& arguments) {
   options.seed = arguments.seed;
   options.threads = arguments.threads;
   options.kernel = arguments.kernel;
-  options.quiet = arguments.quiet;
 
   // Find out now, not after the work, that a picture cannot be written.
   const bool has_standard_error = reference && options.samples > 1;
@@ -293,7 +293,11 @@ int run_render(const RenderArguments& arguments) {
       say("warning: the scene has no light; --lights studio adds one\n");
   }
 
-  Result<render::Picture> picture = render::render(scene, *camera, *lobes, options);
+  Result<render::Picture> picture = [&] {
+    ProgressBar bar("rendering", arguments.quiet);
+    options.progress = bar.progress();
+    return render::render(scene, *camera, *lobes, options);
+  }();
   if (!picture) return fail("render", picture.error());
   if (!arguments.quiet)
     for (const std::string& warning : picture->warnings)

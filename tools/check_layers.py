@@ -14,6 +14,8 @@
    OpenEXR 2 and 3, are the exceptions.
 4. Every source file begins with the two licence lines.
 5. The root CMakeLists.txt stays under 80 lines.
+6. The library is silent: no file of openltc/ uses standard output or error, handles a signal, ends
+   the process or does something at its end; that is cli/ alone.
 
 Prints one line per breach, as file:line: what; exit code 1 if there is any.
 """
@@ -32,6 +34,30 @@ k_include = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 k_private_headers = re.compile(
     r"^(embree[34]?/|tiny_gltf|draco/|meshoptimizer|OpenEXR/|Imf|png\.h|jpeglib|stb_|stb/|librsvg/|webp/)")
 k_private_headers_allowed = {"openltc/render/embree.h", "openltc/image/exr_input.h"}
+
+
+# Words of rule 6, looked for outside of comments and strings.
+k_loud_words = re.compile(
+    r"\bstd::(cout|cerr|clog|wcout|wcerr|wclog)\b|\b(stdout|stderr|STD(OUT|ERR)_FILENO)\b"
+    r"|(?<![\w.>])(std::)?(printf|vprintf|puts|putchar|perror)\s*\("
+    r'|\bfmt::v?print(ln)?\s*\(\s*("|fmt::|\))'
+    r"|\b(sigaction|sigprocmask|pthread_sigmask|SIG_IGN|SIG_DFL)\b|(<csignal>|<signal\.h>)"
+    r"|\bstd::(signal|raise|exit|quick_exit|abort|terminate|atexit|at_quick_exit|set_terminate)\b"
+    r"|(?<![\w.>])(::)?(_exit|exit|abort|atexit|on_exit|isatty)\s*\(")
+k_comment_or_string = re.compile(
+    r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
+
+
+def check_silence(text):
+    """Breaches of rule 6 as (line, text)."""
+    def blank(match):
+        kept = '""' if match.group()[0] == '"' else " "
+        return kept + "\n" * match.group().count("\n")
+    code = k_comment_or_string.sub(blank, text)
+    return [(number, "the library prints nothing and leaves the process alone, but here: %s"
+             % word.group().strip())
+            for number, line in enumerate(code.splitlines(), 1)
+            for word in [k_loud_words.search(line)] if word]
 
 
 def allowed_folders(folder):
@@ -95,6 +121,8 @@ def check(root):
             if parts[1] not in k_layers:
                 breaches.append((path, 1, "openltc/%s is not in the list of layers" % parts[1]))
                 continue
+            if path.endswith((".h", ".cpp", ".inc")):
+                breaches += [(path, line, text) for line, text in check_silence("\n".join(lines))]
             for number, line in enumerate(lines, 1):
                 include = k_include.match(line)
                 if include:

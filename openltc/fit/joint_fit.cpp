@@ -171,6 +171,10 @@ JointFit fit_jointly(const std::vector<JointSample>& samples, std::vector<Vec4d>
       trial[i] += step[i];
     const double there = evaluate_all(samples, trial, options, trial_locals);
     ++fit.iterations;
+    if (options.progress && !options.progress(double(fit.iterations) / options.max_iterations)) {
+      fit.cancelled = true;
+      break;
+    }
     if (there < value) {
       const bool done = value - there < options.tolerance * value;
       at.swap(trial);

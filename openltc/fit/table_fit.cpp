@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -165,7 +164,7 @@ Result<std::vector<JointSample>> make_samples(const Grid& grid) {
   return samples;
 }
 
-Status refine(Grid& grid) {
+Status refine(Grid& grid, Progress progress) {
   Result<std::vector<JointSample>> samples = make_samples(grid);
   if (!samples) return samples.error();
   std::vector<Vec4d> mirror;
@@ -182,7 +181,10 @@ Status refine(Grid& grid) {
   JointFitOptions joint;
   joint.objective = grid.options.lobe.objective;
   joint.least_determinant = k_least_determinant;
-  mirror = fit_jointly(*samples, mirror, joint).unknowns;
+  joint.progress = std::move(progress);
+  JointFit fitted = fit_jointly(*samples, mirror, joint);
+  if (fitted.cancelled) return cancelled();
+  mirror = std::move(fitted.unknowns);
   n1 = interpolate_jointly(*samples, wanted1, {}, n1);
   n5 = interpolate_jointly(*samples, wanted5, {}, n5);
   // Least squares may overshoot where the albedo bends; more than the BRDF ever reflects must not
@@ -260,7 +262,7 @@ GrazingRow grazing_row(int rows, table::AngleAxis axis) {
 }
 
 Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& options,
-                            const std::function<void(double)>& progress) {
+                            const Progress& progress) {
   if (options.size < 2 || options.size > 512)
     return Error{fmt::format("table size {}: choose 2 to 512 nodes per axis", options.size)};
 
@@ -280,22 +282,21 @@ Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& optio
   if (grid.columns == 1) {
     if (Status status = fit_single_column(grid); !status) return status.error();
   } else {
-    std::mutex mutex;
-    int done = 0;
+    ProgressCount done(grid.rows, part_of(progress, 0.0, refined ? 0.3 : 1.0));
     std::vector<std::string> failures(std::size_t(grid.rows));
     tbb::parallel_for(0, grid.rows, [&](int row) {
+      if (done.is_cancelled()) return;
       if (const Status status = fit_row(grid, row); !status)
         failures[std::size_t(row)] = status.error().message;
-      const std::lock_guard<std::mutex> lock(mutex);
-      ++done;
-      if (progress) progress(double(done) / grid.rows * (refined ? 0.3 : 1.0));
+      done.add(1);
     });
+    if (done.is_cancelled()) return cancelled();
     if (Status status = first_failure(failures); !status) return status.error();
   }
   const std::vector<Node> unrefined = grid.nodes;
   if (refined)
-    if (Status status = refine(grid); !status) return status.error();
-  if (progress && (refined || grid.columns == 1)) progress(1.0);
+    if (Status status = refine(grid, part_of(progress, 0.3, 0.9)); !status) return status.error();
+  if (progress && (refined || grid.columns == 1) && !progress(1.0)) return cancelled();
 
   LobeTable result = pack(grid);
   Status status = check_lobes(brdf, result);

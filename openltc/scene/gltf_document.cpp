@@ -14,7 +14,7 @@
 
 #include "openltc/scene/gltf_document.h"
 
-#include "openltc/base/file_place.h"
+#include "openltc/base/file_observer.h"
 #include "openltc/base/quote.h"
 #include "openltc/image/file.h"
 #include "openltc/scene/gltf_broken_light.h"
@@ -341,7 +341,7 @@ void note_references(const json& root, const Folder& folder) {
       const std::string& uri = value.get_ref<const std::string&>();
       if (uri.rfind("data:", 0) == 0) continue;
       try {
-        note_input(resolve_uri(uri, folder, ""));
+        file_observer().reads(resolve_uri(uri, folder, ""));
       } catch (const Failure&) { // whoever needs it says so
       }
     }

@@ -77,7 +77,6 @@ double floor_radiance(const scene::Scene& scene, render::Integrator integrator, 
   options.samples = samples;
   options.shadow_samples = samples;
   options.filter = render::PixelFilter::none;
-  options.quiet = true;
   auto picture = render::render(scene, test::look_at({0, 2, 2}, {0, 0, 0}, 1e-3f),
                                 table::builtin_ggx_table(), options);
   REQUIRE(picture.ok());

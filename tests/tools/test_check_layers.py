@@ -74,6 +74,18 @@ class Layers(unittest.TestCase):
         self.assert_clean("openltc/render/embree.h", "#include <embree4/rtcore.h>\n")
         self.assert_clean("openltc/image/exr_input.h", "#include <ImfIO.h>\n")
 
+    def test_library_is_silent(self):
+        for line in ("std::cerr << 1;", 'fmt::print(stderr, "x");', 'fmt::print("x");', 'printf("x");',
+                     "std::fputs(text, stdout);", "#include <csignal>", "sigaction(2, &a, &b);",
+                     "std::signal(2, f);", "std::exit(1);", "::_exit(1);", "std::atexit(f);",
+                     "if (isatty(2)) f();", "std::abort();"):
+            self.assert_breach("openltc/base/a.cpp", "int a; // x\n%s\n" % line, "prints nothing")
+            self.assertEqual(check_tree({"cli/a.cpp": line + "\n"}), [])
+        for line in ("// std::cerr and stdout", '/* exit(1)\n abort() */ int b = 1;',
+                     'f("stderr", "abort()");', 'fmt::print(file, "x");', "bool on_exit;",
+                     'std::fprintf(file, "x");', "snprintf(a, 2, b);", "group.exit(1);"):
+            self.assert_clean("openltc/base/a.cpp", line + "\n")
+
     def test_every_file_names_its_licence(self):
         for path in ("openltc/base/a.h", "tools/a.py", "cmake/a.cmake", "tests/shaders/a.frag"):
             self.assert_breach(path, b"int x;\n", "licence")

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/base/ending.h"
+#include "cli/process/ending.h"
 
 #include <algorithm>
 #include <atomic>
@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace openltc {
+namespace openltc::cli {
 
 namespace {
 
@@ -79,6 +79,11 @@ void on_ending(int signal) {
   if (is_first && g_undivided.load() == 0) end_now(signal);
 }
 
+struct Held {
+  Held() noexcept { hold_ending(); }
+  ~Held() { release_ending(); }
+};
+
 } // namespace
 
 void end_cleanly_on_signals() {
@@ -114,7 +119,7 @@ void end_by(int signal) noexcept {
   ::_exit(128 + signal);
 }
 
-Undivided::Undivided() noexcept {
+void hold_ending() noexcept {
   if (t_depth++ > 0) return;
   g_undivided.fetch_add(1);
   const int signal = g_ending.load();
@@ -125,7 +130,7 @@ Undivided::Undivided() noexcept {
     ::pause();
 }
 
-Undivided::~Undivided() {
+void release_ending() noexcept {
   if (--t_depth > 0) return;
   const bool is_last = g_undivided.fetch_sub(1) == 1;
   const int signal = g_ending.load();
@@ -133,13 +138,13 @@ Undivided::~Undivided() {
 }
 
 void remember_unfinished(const std::string& path) {
-  const Undivided undivided;
+  const Held held;
   const std::lock_guard lock(unfinished_mutex());
   unfinished().push_back(path);
 }
 
 void forget_unfinished(const std::string& path) noexcept {
-  const Undivided undivided;
+  const Held held;
   const std::lock_guard lock(unfinished_mutex());
   auto& paths = unfinished();
   paths.erase(std::remove(paths.begin(), paths.end(), path), paths.end());
@@ -147,4 +152,4 @@ void forget_unfinished(const std::string& path) noexcept {
 
 void note_written() noexcept { g_written.store(true); }
 
-} // namespace openltc
+} // namespace openltc::cli

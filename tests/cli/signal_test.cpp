@@ -3,8 +3,10 @@
 
 // What POSIX signals leave behind, in processes of their own.
 
+#include "cli/process/ending.h"
+#include "cli/process/file_watch.h"
 #include "openltc/base/atomic_file.h"
-#include "openltc/base/ending.h"
+#include "openltc/base/file_observer.h"
 #include "openltc/base/temporary_file.h"
 #include "tests/base/folder.h"
 
@@ -17,6 +19,7 @@
 #include <unistd.h>
 
 using namespace openltc;
+using namespace openltc::cli;
 using openltc::test::Folder;
 using openltc::test::put_text;
 using openltc::test::text_of;
@@ -51,6 +54,7 @@ TEST_CASE("every_signal_that_ends_the_process_removes_what_is_unfinished_and_end
     put_text(path, "old");
     const int end = end_of([&] {
       end_cleanly_on_signals();
+      watch_files();
       assume_plain_file_system(true); // where the unfinished file has a name
       (void)write_atomically(path, [&](const std::string& temporary) -> Status {
         put_text(temporary, "half");
@@ -87,6 +91,7 @@ TEST_CASE("a_signal_waits_for_what_is_undivided") {
   const Folder folder;
   const int end = end_of([&] {
     end_cleanly_on_signals();
+    watch_files();
     {
       const Undivided undivided;
       ::raise(SIGTERM);
@@ -105,6 +110,7 @@ TEST_CASE("signals_that_the_parent_ignores_stay_ignored") {
   CHECK(end_of([] {
           std::signal(SIGHUP, SIG_IGN); // nohup
           end_cleanly_on_signals();
+          watch_files();
           ::raise(SIGHUP);
         }) == 0);
 }
@@ -114,6 +120,7 @@ TEST_CASE("the_limit_of_file_size_and_a_broken_pipe_are_errors_of_the_write") {
   put_text(folder.file("x"), "old");
   const int end = end_of([&] {
     end_cleanly_on_signals();
+    watch_files();
     const rlimit limit = {1000, 1000};
     setrlimit(RLIMIT_FSIZE, &limit);
     const Status status = write_atomically(folder.file("x"), [](const std::string& temporary) {

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "cli/standard_streams.h"
+#include "cli/process/standard_streams.h"
 
-#include "cli/commands.h"
-#include "openltc/base/ending.h"
-#include "openltc/base/message.h"
+#include "cli/process/ending.h"
+#include "cli/process/exit_code.h"
+#include "cli/process/message.h"
 
 #include <cerrno>
 #include <csignal>

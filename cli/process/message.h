@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace openltc {
+namespace openltc::cli {
 
 /// Writes `text` to standard error as it is. What cannot be written is dropped.
 void say_text(std::string_view text) noexcept;
@@ -21,4 +21,4 @@ template <class... T> void say(fmt::format_string<T...> format, T&&... values) {
   say_text(fmt::format(format, std::forward<T>(values)...));
 }
 
-} // namespace openltc
+} // namespace openltc::cli
