@@ -16,6 +16,8 @@
 5. The root CMakeLists.txt stays under 80 lines.
 6. The library is silent: no file of openltc/ uses standard output or error, handles a signal, ends
    the process or does something at its end; that is cli/ alone.
+7. Threads are started by base/parallel.cpp alone, which nothing passes by: no other file of openltc/
+   or cli/ includes oneTBB or starts threads.
 
 Prints one line per breach, as file:line: what; exit code 1 if there is any.
 """
@@ -44,20 +46,37 @@ k_loud_words = re.compile(
     r"|\b(sigaction|sigprocmask|pthread_sigmask|SIG_IGN|SIG_DFL)\b|(<csignal>|<signal\.h>)"
     r"|\bstd::(signal|raise|exit|quick_exit|abort|terminate|atexit|at_quick_exit|set_terminate)\b"
     r"|(?<![\w.>])(::)?(_exit|exit|abort|atexit|on_exit|isatty)\s*\(")
+# Includes and words of rule 7.
+k_thread_words = re.compile(r"#\s*include\s*<(tbb/|oneapi/tbb|execution>|omp\.h>|pthread\.h>)"
+                            r"|\btbb::|\bstd::(jthread|async)\b|\bstd::thread\b(?!::)|#\s*pragma\s+omp")
+k_thread_file = "openltc/base/parallel.cpp"
 k_comment_or_string = re.compile(
     r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
 
 
-def check_silence(text):
-    """Breaches of rule 6 as (line, text)."""
+def code_of(text):
+    """The text without comments and strings, line by line."""
     def blank(match):
         kept = '""' if match.group()[0] == '"' else " "
         return kept + "\n" * match.group().count("\n")
-    code = k_comment_or_string.sub(blank, text)
-    return [(number, "the library prints nothing and leaves the process alone, but here: %s"
-             % word.group().strip())
-            for number, line in enumerate(code.splitlines(), 1)
-            for word in [k_loud_words.search(line)] if word]
+    return k_comment_or_string.sub(blank, text).splitlines()
+
+
+def find_words(words, code, what):
+    """The first of these words in each line, as (line, text)."""
+    return [(number, "%s, but here: %s" % (what, word.group().strip()))
+            for number, line in enumerate(code, 1) for word in [words.search(line)] if word]
+
+
+def check_code(path, text):
+    """Breaches of rules 6 and 7 as (line, text)."""
+    code = code_of(text)
+    breaches = []
+    if path.startswith("openltc/"):
+        breaches += find_words(k_loud_words, code, "the library prints nothing and leaves the process alone")
+    if path != k_thread_file:
+        breaches += find_words(k_thread_words, code, "threads are for %s" % k_thread_file)
+    return breaches
 
 
 def allowed_folders(folder):
@@ -117,12 +136,12 @@ def check(root):
             lines = stream.read().splitlines()
         breaches += [(path, line, text) for line, text in check_licence(lines)]
         parts = path.split("/")
+        if parts[0] in ("openltc", "cli") and path.endswith((".h", ".cpp", ".inc")):
+            breaches += [(path, line, text) for line, text in check_code(path, "\n".join(lines))]
         if parts[0] == "openltc" and len(parts) > 2:
             if parts[1] not in k_layers:
                 breaches.append((path, 1, "openltc/%s is not in the list of layers" % parts[1]))
                 continue
-            if path.endswith((".h", ".cpp", ".inc")):
-                breaches += [(path, line, text) for line, text in check_silence("\n".join(lines))]
             for number, line in enumerate(lines, 1):
                 include = k_include.match(line)
                 if include:

@@ -3,11 +3,11 @@
 
 #include "openltc/fit/error.h"
 
+#include "openltc/base/parallel.h"
 #include "openltc/fit/lobe_fit.h"
 #include "openltc/table/divided.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -212,7 +212,8 @@ Result<std::vector<ErrorMap>> measure_maps(const brdf::Brdf& brdf,
     map.albedo.resize(count);
   }
   std::vector<std::string> failures(count);
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) {
+  parallel_for(std::int64_t(count), 0, [&](std::int64_t index) {
+    const std::size_t k = std::size_t(index);
     const double roughness = axes.roughness[k % columns];
     const double theta_degrees = axes.theta_degrees[k / columns];
     const double cos_theta = std::cos(theta_degrees * f64::k_pi / 180);

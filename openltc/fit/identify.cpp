@@ -3,12 +3,12 @@
 
 #include "openltc/fit/identify.h"
 
+#include "openltc/base/parallel.h"
 #include "openltc/brdf/brdf.h"
 #include "openltc/fit/error.h"
 #include "openltc/fit/quadrature.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -167,7 +167,8 @@ Result<std::vector<Identification>> identify(std::span<const table::Texture> tex
     const Result<std::vector<Quadrature>> rules = rules_of(brdf, points);
     if (!rules) continue; // a BRDF that cannot be integrated is no candidate
     std::vector<Identification> of_brdf(readings.size());
-    tbb::parallel_for(std::size_t(0), readings.size(), [&](std::size_t i) {
+    parallel_for(std::int64_t(readings.size()), 0, [&](std::int64_t index) {
+      const std::size_t i = std::size_t(index);
       of_brdf[i] = compare(readings[i], textures, brdf, *rules);
     });
     found.insert(found.end(), of_brdf.begin(), of_brdf.end());

@@ -12,10 +12,10 @@
 
 #include "openltc/fit/light_error.h"
 
+#include "openltc/base/parallel.h"
 #include "openltc/base/sampling.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +103,8 @@ Result<std::vector<LightError>> measure_lights(const brdf::Brdf& brdf,
   std::vector<std::vector<CaseError>> errors(candidates.size(), std::vector<CaseError>(count));
   std::vector<double> light(count);
   std::vector<std::string> failures(count);
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+  parallel_for(std::int64_t(count), 0, [&](std::int64_t index) {
+    const std::size_t i = std::size_t(index);
     const LightCase at = light_case(family, int(i));
     const HalfVectors half_vectors = find_half_vectors(brdf, at.roughness);
     const Result<Quadrature> rule =

@@ -8,12 +8,12 @@
 
 #include "openltc/fit/polynomial_fit.h"
 
+#include "openltc/base/parallel.h"
 #include "openltc/fit/joint_fit.h"
 #include "openltc/fit/lobe_start.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -79,7 +79,8 @@ Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions&
   LobeFitOptions fit;
   fit.objective.horizon = options.objective.horizon; // otherwise balanced, the start of all
   ProgressCount done(rows, std::move(progress));
-  tbb::parallel_for(0, rows, [&](int row) {
+  parallel_for(rows, 0, [&](std::int64_t index) {
+    const int row = int(index);
     if (done.is_cancelled()) return;
     const bool rim = row >= n;
     const double y = rim ? k_rim[std::size_t(row - n)] : (row + 0.5) / n;

@@ -13,12 +13,12 @@
 
 #include "openltc/fit/table_fit.h"
 
+#include "openltc/base/parallel.h"
 #include "openltc/fit/joint_fit.h"
 #include "openltc/fit/lobe_start.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +137,8 @@ Result<std::vector<JointSample>> make_samples(const Grid& grid) {
   const std::size_t between = std::size_t(across) * std::size_t(along);
   std::vector<JointSample> samples(between + std::size_t(grid.columns));
   std::vector<std::string> failures(samples.size());
-  tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t k) {
+  parallel_for(std::int64_t(samples.size()), 0, [&](std::int64_t index) {
+    const std::size_t k = std::size_t(index);
     const bool rim = k >= between;
     const int i = rim ? int(k - between) : int(k) % across;
     const double x = rim ? i : grid.columns > 1 ? (i + 0.5) / per_cell : 0;
@@ -284,7 +285,8 @@ Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& optio
   } else {
     ProgressCount done(grid.rows, part_of(progress, 0.0, refined ? 0.3 : 1.0));
     std::vector<std::string> failures(std::size_t(grid.rows));
-    tbb::parallel_for(0, grid.rows, [&](int row) {
+    parallel_for(grid.rows, 0, [&](std::int64_t index) {
+      const int row = int(index);
       if (done.is_cancelled()) return;
       if (const Status status = fit_row(grid, row); !status)
         failures[std::size_t(row)] = status.error().message;

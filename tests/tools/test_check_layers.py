@@ -86,6 +86,15 @@ class Layers(unittest.TestCase):
                      'std::fprintf(file, "x");', "snprintf(a, 2, b);", "group.exit(1);"):
             self.assert_clean("openltc/base/a.cpp", line + "\n")
 
+    def test_threads_come_from_one_file(self):
+        for line in ("#include <tbb/parallel_for.h>", "tbb::parallel_for(0, n, f);",
+                     "std::thread t(f);", "std::async(f);", "#include <execution>"):
+            for path in ("openltc/fit/a.cpp", "cli/a.cpp"):
+                self.assert_breach(path, line + "\n", "openltc/base/parallel.cpp")
+            self.assert_clean("openltc/base/parallel.cpp", line + "\n")
+        self.assert_clean("openltc/fit/a.cpp", "// as tbb::parallel_for\n"
+                          "int n = std::thread::hardware_concurrency();\n")
+
     def test_every_file_names_its_licence(self):
         for path in ("openltc/base/a.h", "tools/a.py", "cmake/a.cmake", "tests/shaders/a.frag"):
             self.assert_breach(path, b"int x;\n", "licence")
