@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-
 //
 // openltc convert: between table layouts, precisions and containers; lights of scenes.
 
@@ -9,18 +8,18 @@
 #include "cli/convert_photometry.h"
 #include "cli/convert_picture.h"
 #include "cli/convert_scene.h"
-#include "cli/fit_job.h"
-#include "cli/lobe_file.h"
 #include "cli/number.h"
 #include "cli/output_place.h"
 #include "cli/process/message.h"
 #include "cli/reading_options.h"
 #include "cli/shape_options.h"
 #include "openltc/fit/error.h"
+#include "openltc/fit/fit_job.h"
 #include "openltc/light/photometry.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
+#include "openltc/table/shading_lobes.h"
 
 #include <fmt/format.h>
 
@@ -173,7 +172,7 @@ int run_convert(const ConvertArguments& arguments) {
   const bool asks = arguments.asks_for_picture();
   if (asks || (!arguments.asks_for_layout() && is_picture_file(arguments.input, arguments.output)))
     return convert_to_picture(arguments);
-  if (is_polynomial_file(arguments.input)) return convert_polynomial(arguments);
+  if (table::is_polynomial_file(arguments.input)) return convert_polynomial(arguments);
   if (is_scene_file(arguments.input) || light::is_photometric_name(arguments.input))
     return convert_lights(arguments);
   if (Status status = table::check_packed_extension(arguments.output); !status)
@@ -207,7 +206,7 @@ int run_convert(const ConvertArguments& arguments) {
   if (arguments.quiet) return k_exit_ok;
   for (const std::string& file : *written)
     say("wrote {}\n", file);
-  const std::string note = size_note(*to);
+  const std::string note = fit::size_note(*to);
   if (!note.empty()) say("{}\n", note);
   return k_exit_ok;
 }

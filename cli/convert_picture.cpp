@@ -4,8 +4,8 @@
 #include "cli/convert_picture.h"
 
 #include "cli/output_place.h"
-#include "cli/picture_output.h"
 #include "cli/process/message.h"
+#include "openltc/image/display.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
@@ -83,7 +83,7 @@ Status convert_picture(const std::string& input, const std::string& output,
   const bool from_exr = ends_with(name.path, ".exr"), to_png = ends_with(output, ".png");
   if (from_exr && to_png) change_alpha(image, false);
   if (!from_exr && !to_png) change_alpha(image, true);
-  DisplayOptions display;
+  image::DisplayOptions display;
   if (from_linear && !to_linear) {
     if (options.exposure && *options.exposure != "auto")
       display.ev100 = parse_ev100(*options.exposure);
@@ -95,14 +95,14 @@ Status convert_picture(const std::string& input, const std::string& output,
   }
   float exposure = 1.0f;
   if (from_linear && !to_linear) {
-    const Result<float> resolved = resolve_exposure(image, display);
+    const Result<float> resolved = image::resolve_exposure(image, display);
     if (!resolved) return resolved.error();
     exposure = *resolved;
   } else {
     display.tonemap = image::Tonemap::none;
   }
-  if (Status ok =
-          write_picture(output, image, nullptr, exposure, display.tonemap, options.precision);
+  if (Status ok = image::write_picture(output, image, nullptr, exposure, display.tonemap,
+                                       options.precision);
       !ok)
     return ok;
   if (quiet) return Success{};

@@ -3,18 +3,17 @@
 //
 // openltc fit: from a BRDF to a lobe table or polynomial, and the report of its error.
 
-#include "cli/against.h"
 #include "cli/choice.h"
 #include "cli/commands.h"
-#include "cli/fit_job.h"
+#include "cli/fit_command.h"
 #include "cli/number.h"
 #include "cli/output_place.h"
 #include "cli/process/message.h"
 #include "cli/process/standard_streams.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/brdf/choose.h"
-#include "openltc/fit/limit.h"
-#include "openltc/fit/polynomial_fit.h"
+#include "openltc/fit/candidate_file.h"
+#include "openltc/fit/fit_job.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +30,8 @@ namespace openltc::cli {
 namespace {
 
 struct FitArguments {
-  FitChoices choices;
+  std::string brdf = "ggx"; ///< name, or path of a MERL file
+  fit::FitRequest request;
   std::vector<std::string> outputs;
   std::vector<std::string> reports;
   std::vector<std::string> against;
@@ -77,31 +77,13 @@ Status write_text(const std::string& path, const std::string& text) {
   });
 }
 
-fit::Candidate subject_of(FittedLobes& fitted, const FitChoices& choices) {
-  fit::Candidate c;
-  c.label = choices.form == LobeForm::polynomial
-                ? fmt::format("{}, degree {}", choices.objective, choices.degree)
-                : fmt::format("{}, {}", choices.objective, choices.size);
-  c.lobes = fitted.lobes();
-  c.horizon = fitted.horizon;
-  const table::TableMetadata& m = fitted.metadata();
-  for (const table::MetadataField& field : table::k_metadata_fields)
-    if (field.text && !(m.*field.text).empty()) c.metadata.emplace_back(field.name, m.*field.text);
-  if (choices.form == LobeForm::table)
-    c.metadata.emplace_back(
-        "layout", fmt::format("{}, {}", name_of(choices.layout), name_of(choices.precision)));
-  if (!fitted.note.empty()) c.metadata.emplace_back("proof", fitted.note);
-  if (fitted.nodes) c.nodes = fit::node_axes(*fitted.nodes, fit::MeasureOptions{0, 1, 90});
-  return c;
-}
-
 // The files to compare with, and what had to be guessed about them.
 Result<std::vector<fit::Candidate>> read_candidates(const FitArguments& arguments) {
   std::vector<fit::Candidate> candidates;
   std::vector<std::string> notes;
   for (const std::string& path : arguments.against) {
     std::string note;
-    Result<fit::Candidate> other = read_candidate(path, note);
+    Result<fit::Candidate> other = fit::read_candidate(path, note);
     if (!other) return other.error();
     if (!note.empty()) notes.push_back(note);
     candidates.push_back(std::move(*other));
@@ -114,24 +96,17 @@ Result<std::vector<fit::Candidate>> read_candidates(const FitArguments& argument
 
 // The report's candidates: what was fitted, the files to compare with, and the best that any single
 // lobe could do.
-Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
+Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, const fit::FittedLobes& fitted,
                                     const std::vector<fit::Candidate>& others,
                                     const FitArguments& arguments) {
-  std::vector<fit::Candidate> candidates = {subject_of(fitted, arguments.choices)};
+  std::vector<fit::Candidate> candidates = {fit::candidate_of(fitted, arguments.request)};
   candidates.insert(candidates.end(), others.begin(), others.end());
   if (!arguments.reports.empty()) {
-    fit::Candidate limit;
-    limit.label = "limit";
-    limit.horizon = fitted.horizon;
-    limit.lobes = fit::best_single_lobes(brdf, fitted.lobes(), fitted.objective);
-    limit.metadata = {{"what", fmt::format("the best single lobe at every point by itself, {}",
-                                           fitted.objective.name)}};
-    limit.is_limit = true;
-    candidates.push_back(std::move(limit));
+    candidates.push_back(fit::limit_of(brdf, fitted));
   }
   fit::ReportOptions options;
   options.title = fmt::format("{}: error of fitted lobes", brdf.name);
-  options.command = command_of(arguments.choices);
+  options.command = arguments.request.command;
   for (const std::string& path : arguments.against)
     options.command += fmt::format(" --against {}", shell_word(path));
   options.tool_version = OPENLTC_VERSION;
@@ -140,18 +115,18 @@ Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
 
 int run_fit(const FitArguments& arguments) {
   if (arguments.list) return list_brdfs();
-  const FitChoices& choices = arguments.choices;
-  if (Status status = check_extensions(choices, arguments.outputs); !status) {
+  const fit::FitRequest& request = arguments.request;
+  if (Status status = fit::check_extensions(request, arguments.outputs); !status) {
     fail("fit", status.error());
     return k_exit_usage;
   }
-  const Result<brdf::Brdf> brdf = brdf::choose_brdf(choices.brdf);
+  const Result<brdf::Brdf> brdf = brdf::choose_brdf(arguments.brdf);
   if (!brdf) {
     fail("fit", brdf.error());
-    return is_file(choices.brdf) ? k_exit_failed : k_exit_usage;
+    return is_file(arguments.brdf) ? k_exit_failed : k_exit_usage;
   }
   // Find out now, not after the work, what cannot be written or read.
-  Result<std::vector<std::string>> files = check_outputs(*brdf, choices, arguments.outputs);
+  Result<std::vector<std::string>> files = fit::check_outputs(*brdf, request, arguments.outputs);
   if (!files) return fail("fit", files.error());
   for (const std::string& path : arguments.reports) {
     if (Status status = check_report(path); !status) return fail("fit", status.error());
@@ -167,7 +142,7 @@ int run_fit(const FitArguments& arguments) {
     if (terminal) say("\rfitting {}: {:3.0f} % ", brdf->name, share * 100);
     return true;
   };
-  Result<FittedLobes> fitted = fit_lobes(*brdf, choices, progress);
+  Result<fit::FittedLobes> fitted = fit::fit_lobes(*brdf, request, progress);
   if (terminal) say("\r{:60}\r", "");
   if (!fitted) return fail("fit", fitted.error());
   if (!arguments.quiet) {
@@ -177,13 +152,13 @@ int run_fit(const FitArguments& arguments) {
   }
   const Result<fit::Report> report = make_fit_report(*brdf, *fitted, *others, arguments);
   if (!report) return fail("fit", report.error());
-  state_error(*fitted, report->regions.front().errors.front());
+  fit::state_error(*fitted, report->regions.front().errors.front());
   put("{}", fit::to_text(*report));
 
   std::vector<std::string> written;
   FileGroup together;
   for (const std::string& path : arguments.outputs) {
-    const Result<std::vector<std::string>> done = write_lobes(*fitted, path);
+    const Result<std::vector<std::string>> done = fit::write_lobes(*fitted, path);
     if (!done) return fail("fit", done.error());
     written.insert(written.end(), done->begin(), done->end());
   }
@@ -197,7 +172,7 @@ int run_fit(const FitArguments& arguments) {
   for (const std::string& path : written)
     say("wrote {}\n", path);
   if (const auto* packed = std::get_if<table::PackedTable>(&fitted->stored)) {
-    const std::string note = size_note(*packed);
+    const std::string note = fit::size_note(*packed);
     if (!note.empty() && !arguments.outputs.empty()) say("{}\n", note);
   }
   return k_exit_ok;
@@ -207,7 +182,7 @@ int run_fit(const FitArguments& arguments) {
 
 void add_fit(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<FitArguments>();
-  FitChoices& c = arguments->choices;
+  fit::FitRequest& c = arguments->request;
   CLI::App* command =
       app.add_subcommand("fit", "Fit lobes to a BRDF, as a table or a polynomial, and report how "
                                 "far they are from it");
@@ -233,7 +208,8 @@ void add_fit(CLI::App& app, int& exit_code) {
       "  openltc fit --form polynomial -o lobes.glsl        a function to paste\n"
       "  openltc fit --report ggx.html --against ltc_1.dds  a page of figures and heat maps\n"
       "  openltc fit --brdf gold-paint.binary -o gold.json  a measured material");
-  command->add_option("--brdf", c.brdf, "BRDF by name (--list), or a MERL file FILE.binary")
+  command
+      ->add_option("--brdf", arguments->brdf, "BRDF by name (--list), or a MERL file FILE.binary")
       ->capture_default_str();
   command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
   auto* size = command->add_option("--size", c.size, "Nodes per axis of a table, 2 to 512")
@@ -249,8 +225,8 @@ void add_fit(CLI::App& app, int& exit_code) {
           },
           ""))
       ->capture_default_str();
-  const Choices<LobeForm> forms = {{"table", LobeForm::table},
-                                   {"polynomial", LobeForm::polynomial}};
+  const Choices<table::LobeForm> forms = {{"table", table::LobeForm::table},
+                                          {"polynomial", table::LobeForm::polynomial}};
   command->add_option("--form", c.form, "Table, or polynomials instead of one [table]")
       ->transform(one_of(forms))
       ->type_name(words_of(forms));
@@ -303,7 +279,7 @@ void add_fit(CLI::App& app, int& exit_code) {
   // What would be passed over in silence is wrong usage.
   const std::vector<CLI::Option*> of_tables = {size, layout, precision, refine, clip_aware};
   command->callback([arguments, degree, of_tables, &exit_code] {
-    const bool polynomial = arguments->choices.form == LobeForm::polynomial;
+    const bool polynomial = arguments->request.form == table::LobeForm::polynomial;
     const auto refuse = [&](const CLI::Option* option, const char* form, const char* not_form) {
       exit_code = fail(
           "fit", Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)},
@@ -312,6 +288,8 @@ void add_fit(CLI::App& app, int& exit_code) {
     for (const CLI::Option* option : of_tables)
       if (polynomial && option->count() > 0) return refuse(option, "tables", "--form polynomial");
     if (!polynomial && degree->count() > 0) return refuse(degree, "--form polynomial", "tables");
+    arguments->request.tool_version = OPENLTC_VERSION;
+    arguments->request.command = command_of(arguments->brdf, arguments->request);
     exit_code = run_fit(*arguments);
   });
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/inspect.h"
-#include "cli/lobe_file.h"
 #include "openltc/base/quote.h"
 #include "openltc/fit/error.h"
 #include "openltc/fit/identify.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
+#include "openltc/table/shading_lobes.h"
 
 #include <fmt/format.h>
 
@@ -176,7 +176,7 @@ nlohmann::ordered_json known_or_null(double number) {
 }
 
 Result<Description> inspect_table(const std::string& path) {
-  if (is_polynomial_file(path)) return inspect_polynomial(path);
+  if (table::is_polynomial_file(path)) return inspect_polynomial(path);
   const bool json = std::filesystem::path(path).extension() == ".json";
   if (!json) {
     const Result<table::TextureFiles> files = table::read_textures(path);

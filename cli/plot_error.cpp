@@ -3,10 +3,10 @@
 //
 // openltc plot error: heat maps of a table's error, or of two and their difference.
 
-#include "cli/against.h"
-#include "cli/fit_job.h"
+#include "cli/fit_command.h"
 #include "cli/plot.h"
 #include "cli/process/message.h"
+#include "openltc/fit/candidate_file.h"
 #include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/error_figure.h"
@@ -64,7 +64,7 @@ Result<fit::MeasuredLobes> choose_lobes(const std::string& what, const ErrorArgu
                               fit::lobes_of(own), fit::Horizon::clipped};
   }
   std::string note;
-  const Result<fit::Candidate> read = read_candidate(what, note);
+  const Result<fit::Candidate> read = fit::read_candidate(what, note);
   if (!read) return read.error();
   if (!note.empty() && !arguments.output.quiet) say("{}\n", note);
   return fit::MeasuredLobes{read->label, read->lobes, read->horizon};

@@ -3,11 +3,11 @@
 //
 // openltc plot fit: lobes beside their BRDF over view angles and roughnesses.
 
-#include "cli/against.h"
 #include "cli/commands.h"
-#include "cli/fit_job.h"
+#include "cli/fit_command.h"
 #include "cli/plot.h"
 #include "cli/process/message.h"
+#include "openltc/fit/candidate_file.h"
 #include "openltc/plot/fit_figure.h"
 
 #include <fmt/format.h>
@@ -51,10 +51,10 @@ Result<plot::Figure> make_figure(const FitPlotArguments& a) {
     options.command += " --roughness " + list_of(a.roughness);
   }
   if (a.linear) options.command += " --linear";
-  FittedLobes fitted; // the figure's lobes may refer to it
+  fit::FittedLobes fitted; // the figure's lobes may refer to it
   if (!a.table.empty()) {
     std::string note;
-    const Result<fit::Candidate> read = read_candidate(a.table, note);
+    const Result<fit::Candidate> read = fit::read_candidate(a.table, note);
     if (!read) return read.error();
     if (!note.empty() && !a.output.quiet) say("{}\n", note);
     options.lobes = {read->label, read->lobes, read->horizon};
@@ -65,12 +65,13 @@ Result<plot::Figure> make_figure(const FitPlotArguments& a) {
                      fit::Horizon::clipped};
     return plot::make_fit_figure(options);
   }
-  FitChoices choices;
-  choices.brdf = a.brdf;
-  Result<FittedLobes> made = fit_lobes(*brdf, choices, {});
+  fit::FitRequest request;
+  request.tool_version = OPENLTC_VERSION;
+  request.command = command_of(a.brdf, request);
+  Result<fit::FittedLobes> made = fit::fit_lobes(*brdf, request);
   if (!made) return made.error();
   fitted = std::move(*made);
-  options.lobes = {fmt::format("fitted now, {0} × {0}", choices.size), fitted.lobes(),
+  options.lobes = {fmt::format("fitted now, {0} × {0}", request.size), fitted.lobes(),
                    fitted.horizon};
   return plot::make_fit_figure(options);
 }

@@ -4,7 +4,7 @@
 // openltc plot lobes: what a matrix makes of a clamped cosine.
 
 #include "cli/choice.h"
-#include "cli/fit_job.h"
+#include "cli/fit_command.h"
 #include "cli/plot.h"
 #include "openltc/plot/lobes_figure.h"
 

@@ -3,7 +3,7 @@
 //
 // openltc plot photometry: the polar diagram of a luminaire.
 
-#include "cli/fit_job.h"
+#include "cli/fit_command.h"
 #include "cli/plot.h"
 #include "cli/process/message.h"
 #include "openltc/light/photometry.h"

@@ -5,12 +5,12 @@
 
 #include "cli/choice.h"
 #include "cli/commands.h"
-#include "cli/fit_job.h"
-#include "cli/lobe_file.h"
+#include "cli/fit_command.h"
 #include "cli/plot.h"
 #include "cli/process/message.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/plot/point_figure.h"
+#include "openltc/table/shading_lobes.h"
 
 #include <fmt/format.h>
 
@@ -54,7 +54,7 @@ Result<plot::Figure> make_figure(const PointArguments& a, bool f0_given) {
 
   options.command += " --table " + shell_word(a.table);
   std::vector<std::string> notes;
-  const Result<ShadingLobes> read = read_shading_lobes(a.table, notes);
+  const Result<table::ShadingLobes> read = table::read_shading_lobes(a.table, notes);
   if (!read) return read.error();
   if (!a.output.quiet)
     for (const std::string& note : notes)

@@ -3,7 +3,7 @@
 //
 // openltc plot polygon: a polygon under the lobe, and carried by M^-1 under the cosine.
 
-#include "cli/fit_job.h"
+#include "cli/fit_command.h"
 #include "cli/plot.h"
 #include "openltc/plot/lobe_rows.h"
 #include "openltc/plot/polygon_figure.h"

@@ -6,7 +6,6 @@
 #include "cli/camera_choice.h"
 #include "cli/choice.h"
 #include "cli/commands.h"
-#include "cli/lobe_file.h"
 #include "cli/number.h"
 #include "cli/output_place.h"
 #include "cli/picture_output.h"
@@ -18,10 +17,11 @@
 #include "cli/shape_options.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/base/memory_budget.h"
+#include "openltc/image/display.h"
 #include "openltc/render/renderer.h"
-#include "openltc/render/studio_room.h"
+#include "openltc/render/studio_choice.h"
 #include "openltc/scene/gltf.h"
-#include "openltc/scene/studio.h"
+#include "openltc/table/shading_lobes.h"
 
 #include <fmt/format.h>
 
@@ -43,23 +43,21 @@ namespace openltc::cli {
 
 namespace {
 
-enum class LightChoice { automatic, scene, studio, both };
-
 struct RenderArguments {
   std::string scene;
   std::vector<std::string> outputs;
   render::Integrator integrator = render::Integrator::ltc;
   render::PunctualForm point_lights = render::PunctualForm::exact;
-  LightChoice lights = LightChoice::automatic;
+  render::LightsFrom lights = render::LightsFrom::automatic;
   std::string camera;
   std::string size;
   std::string background;
-  std::optional<LobeForm> lobes;
+  std::optional<table::LobeForm> lobes;
   std::string table;
   std::optional<int> samples;
   int shadow_samples = 16;
   float light_error = render::RenderOptions{}.light_error;
-  DisplayOptions display;
+  image::DisplayOptions display;
   render::PixelFilter filter = render::PixelFilter::blackman_harris;
   std::string exposure = "auto";
   std::uint32_t seed = 0;
@@ -75,13 +73,6 @@ struct RenderArguments {
 constexpr int k_default_samples_ltc = 8;
 constexpr int k_default_samples_reference = 256;
 constexpr float k_largest_half = 65504;
-// Behind what a studio rig lights: dark enough to set it off, bright enough to show dark outlines.
-// Relative to a white card of 1 nit.
-constexpr float k_studio_background_nits = 0.07f;
-// Brings that card just to white; what the fill light adds may lower it.
-constexpr float k_studio_exposure = 1.2f;
-// No white paper gets as bright by the three soft boxes together: mirror images of them.
-constexpr float k_studio_light_nits = 2.0f;
 
 std::optional<float> parse_float(std::string_view text) {
   float value = 0;
@@ -117,73 +108,39 @@ bool parse_size(const std::string& text, int& width, int& height) {
          number(std::string_view(text).substr(x + 1), height);
 }
 
-/// Whether the only lights are surfaces that emit no more than glTF's plain emissive factor: labels
-/// and lamps drawn for the eye, too dim to see anything else by.
-bool only_glows(const light::Lights& lights) {
-  if (!lights.punctual.empty() || !lights.lines.empty() || lights.empty()) return false;
-  bool is_dim = true;
-  lights.for_each_area_light([&](const light::Emitter& light) {
-    is_dim = is_dim && std::max({light.radiance.x, light.radiance.y, light.radiance.z}) <= 1.0f;
-  });
-  return is_dim;
-}
-
-struct LightsChosen {
-  std::string message;       ///< for the user, may be empty
-  bool studio_level = false; ///< lit by the rig at its own level, a white card at 1 nit
-};
-
-/// Leaves in `scene` the lights that `choice` asks for.
-Result<LightsChosen> choose_lights(scene::Scene& scene, LightChoice choice,
-                                   const scene::Camera& camera) {
-  LightsChosen chosen;
-  if (choice == LightChoice::automatic) {
-    choice = LightChoice::scene;
-    // What the file says of its lights stands, also when it is dim or cannot be read.
-    if (scene.describes_lights) {
-      if (scene.lights.empty())
-        chosen.message = "warning: the file describes lights, but none that can be used: the "
-                         "picture is dark; --lights studio lights it";
-    } else if (scene.lights.empty()) {
-      choice = LightChoice::studio;
-      chosen.message = "no lights in the file: lit by a studio rig of three soft boxes (--lights)";
-    } else if (only_glows(scene.lights)) {
-      choice = LightChoice::both;
-      chosen.message = "the only lights in the file are surfaces that emit 1 nit or less: a studio "
-                       "rig is added (--lights scene leaves it out)";
-    }
+/// What to say of the lights that were chosen; empty: nothing.
+std::string message_of(const render::LightsChosen& lights) {
+  const std::string in_room =
+      lights.rig_is_in_room ? "; walls keep it out, so it is a soft box under the ceiling" : "";
+  switch (lights.reason) {
+  case render::LightsReason::asked:
+    return "";
+  case render::LightsReason::unusable_lights:
+    return "warning: the file describes lights, but none that can be used: the picture is dark; "
+           "--lights studio lights it";
+  case render::LightsReason::no_lights:
+    return "no lights in the file: lit by a studio rig of three soft boxes (--lights)" + in_room;
+  case render::LightsReason::dim_lights:
+    return "the only lights in the file are surfaces that emit 1 nit or less: a studio rig is "
+           "added (--lights scene leaves it out)" +
+           in_room;
   }
-  if (choice == LightChoice::scene) return chosen;
-  if (choice == LightChoice::studio) scene.lights = {};
-  // Beside other lights the rig is as bright as they are.
-  double level = 1.0;
-  if (!scene.lights.empty() && !only_glows(scene.lights))
-    level = scene::white_level_nits(scene.lights, scene.bounds);
-  else
-    chosen.studio_level = true;
-  const Result<light::Lights> studio =
-      render::studio_for(scene, camera, level > 0 && std::isfinite(level) ? level : 1.0);
-  if (!studio) return studio.error();
-  if (studio->polygons.size() == 1 && !chosen.message.empty())
-    chosen.message += "; walls keep it out, so it is a soft box under the ceiling";
-  auto& polygons = scene.lights.polygons;
-  polygons.insert(polygons.end(), studio->polygons.begin(), studio->polygons.end());
-  return chosen;
+  return "";
 }
 
 /// The lobes to shade with; those of a file are kept in `own`.
-Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, ShadingLobes& own,
+Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, table::ShadingLobes& own,
                                         std::vector<std::string>& notes) {
   if (arguments.table.empty()) {
-    if (arguments.lobes.value_or(LobeForm::table) == LobeForm::polynomial)
+    if (arguments.lobes.value_or(table::LobeForm::table) == table::LobeForm::polynomial)
       return render::LobeSource(table::builtin_ggx_polynomial());
     return render::LobeSource(table::builtin_ggx_table());
   }
-  Result<ShadingLobes> read = read_shading_lobes(arguments.table, notes);
+  Result<table::ShadingLobes> read = table::read_shading_lobes(arguments.table, notes);
   if (!read) return read.error();
   own = std::move(*read);
   const bool polynomial = std::holds_alternative<table::LobePolynomial>(own);
-  if (arguments.lobes && (*arguments.lobes == LobeForm::polynomial) != polynomial)
+  if (arguments.lobes && (*arguments.lobes == table::LobeForm::polynomial) != polynomial)
     return Error{fmt::format("{}: holds a lobe {}, but --lobes asks for a {}", arguments.table,
                              polynomial ? "polynomial" : "table",
                              polynomial ? "table" : "polynomial")};
@@ -208,7 +165,7 @@ int run_render(const RenderArguments& arguments) {
           k_exit_usage);
     options.background = *background;
   }
-  DisplayOptions display = arguments.display;
+  image::DisplayOptions display = arguments.display;
   if (arguments.exposure != "auto") {
     display.ev100 = parse_float(arguments.exposure);
     if (!display.ev100)
@@ -264,17 +221,15 @@ int run_render(const RenderArguments& arguments) {
           take_picture_memory(picture_memory, options.width, options.height, has_standard_error);
       !status)
     return fail("render", status.error());
-  const Result<LightsChosen> lights = choose_lights(scene, arguments.lights, *camera);
+  const Result<render::LightsChosen> lights =
+      render::choose_lights(scene, arguments.lights, *camera);
   if (!lights) return fail("render", lights.error());
-  if (lights->studio_level) {
-    if (!background_given) options.background = Vec3f(k_studio_background_nits);
-    display.usual_exposure = k_studio_exposure;
-  }
+  if (lights->background_nits && !background_given)
+    options.background = Vec3f(*lights->background_nits);
+  display.usual_exposure = lights->usual_exposure.value_or(0.0f);
+  display.light_nits = lights->light_nits;
 
-  display.light_nits =
-      lights->studio_level ? k_studio_light_nits : scene::least_nits_of_lights(scene.lights);
-
-  ShadingLobes own_lobes;
+  table::ShadingLobes own_lobes;
   const Result<render::LobeSource> lobes = choose_lobes(arguments, own_lobes, scene.warnings);
   if (!lobes) return fail("render", lobes.error());
   const std::vector<std::string> files = all_output_files(arguments.outputs, has_standard_error);
@@ -288,8 +243,9 @@ int run_render(const RenderArguments& arguments) {
       triangles += mesh.triangles.size();
     say("{}: {} triangles, {} area and {} punctual lights, loaded in {:.2f} s\n", arguments.scene,
         triangles, scene.lights.area_light_count(), scene.lights.punctual.size(), load_seconds);
-    if (!lights->message.empty()) say("{}\n", lights->message);
-    if (scene.lights.empty() && lights->message.empty())
+    const std::string message = message_of(*lights);
+    if (!message.empty()) say("{}\n", message);
+    if (scene.lights.empty() && message.empty())
       say("warning: the scene has no light; --lights studio adds one\n");
   }
 
@@ -303,15 +259,15 @@ int run_render(const RenderArguments& arguments) {
     for (const std::string& warning : picture->warnings)
       say("warning: {}\n", warning);
 
-  Result<float> exposure = resolve_exposure(picture->radiance, display);
+  Result<float> exposure = image::resolve_exposure(picture->radiance, display);
   if (!exposure) return fail("render", exposure.error());
   const image::Image* standard_error = has_standard_error ? &picture->standard_error : nullptr;
   const auto precision =
       arguments.half ? image::ExrPrecision::half_float : image::ExrPrecision::full_float;
   FileGroup together;
   for (const std::string& output : arguments.outputs) {
-    const Status status = write_picture(output, picture->radiance, standard_error, *exposure,
-                                        display.tonemap, precision);
+    const Status status = image::write_picture(output, picture->radiance, standard_error, *exposure,
+                                               display.tonemap, precision);
     if (!status.ok()) return fail("render", status.error());
   }
   if (Status status = together.commit(); !status.ok()) return fail("render", status.error());
@@ -431,10 +387,10 @@ void add_render(CLI::App& app, int& exit_code) {
                    "its LTC lobe [exact]")
       ->transform(one_of(forms))
       ->type_name(words_of(forms));
-  const Choices<LightChoice> choices = {{"auto", LightChoice::automatic},
-                                        {"scene", LightChoice::scene},
-                                        {"studio", LightChoice::studio},
-                                        {"both", LightChoice::both}};
+  const Choices<render::LightsFrom> choices = {{"auto", render::LightsFrom::automatic},
+                                               {"scene", render::LightsFrom::scene},
+                                               {"studio", render::LightsFrom::studio},
+                                               {"both", render::LightsFrom::both}};
   command
       ->add_option("--lights", a.lights,
                    "Which lights: those of the scene, a studio rig of three soft boxes, or both "
@@ -473,8 +429,8 @@ void add_render(CLI::App& app, int& exit_code) {
       ->transform(one_of(tonemaps))
       ->type_name(words_of(tonemaps));
   command->add_flag("--half", a.half, "Write .exr in half precision, which ends at 65504 nits");
-  const Choices<LobeForm> forms_of_lobes = {{"table", LobeForm::table},
-                                            {"polynomial", LobeForm::polynomial}};
+  const Choices<table::LobeForm> forms_of_lobes = {{"table", table::LobeForm::table},
+                                                   {"polynomial", table::LobeForm::polynomial}};
   command
       ->add_option(
           "--lobes", a.lobes,

@@ -15,7 +15,8 @@
 4. Every source file begins with the two licence lines.
 5. The root CMakeLists.txt stays under 80 lines.
 6. The library is silent: no file of openltc/ uses standard output or error, handles a signal, ends
-   the process or does something at its end; that is cli/ alone.
+   the process or does something at its end; that is cli/ alone. base/result.cpp ends a program
+   that takes what a Result has not, as assert would.
 7. Threads are started by base/parallel.cpp alone, which nothing passes by: no other file of openltc/
    or cli/ includes oneTBB or starts threads.
 
@@ -49,6 +50,7 @@ k_loud_words = re.compile(
 # Includes and words of rule 7.
 k_thread_words = re.compile(r"#\s*include\s*<(tbb/|oneapi/tbb|execution>|omp\.h>|pthread\.h>)"
                             r"|\btbb::|\bstd::(jthread|async)\b|\bstd::thread\b(?!::)|#\s*pragma\s+omp")
+k_loud_file = "openltc/base/result.cpp"
 k_thread_file = "openltc/base/parallel.cpp"
 k_comment_or_string = re.compile(
     r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
@@ -72,7 +74,7 @@ def check_code(path, text):
     """Breaches of rules 6 and 7 as (line, text)."""
     code = code_of(text)
     breaches = []
-    if path.startswith("openltc/"):
+    if path.startswith("openltc/") and path != k_loud_file:
         breaches += find_words(k_loud_words, code, "the library prints nothing and leaves the process alone")
     if path != k_thread_file:
         breaches += find_words(k_thread_words, code, "threads are for %s" % k_thread_file)

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "cli/against.h"
+#include "openltc/fit/candidate_file.h"
 
-#include "cli/lobe_file.h"
 #include "openltc/fit/identify.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
+#include "openltc/table/shading_lobes.h"
 
 #include <fmt/format.h>
 
@@ -16,19 +16,19 @@
 #include <memory>
 #include <utility>
 
-namespace openltc::cli {
+namespace openltc::fit {
 
 namespace {
 
-fit::Candidate candidate_of(table::PackedTable packed, const std::string& label) {
+Candidate candidate_of(table::PackedTable packed, const std::string& label) {
   const auto shared = std::make_shared<const table::PackedTable>(std::move(packed));
   const table::TableMetadata& m = shared->metadata;
-  fit::Candidate c;
+  Candidate c;
   c.label = label;
   c.lobes = [shared](double roughness, double cos_theta) {
     return table::fetch_albedo(*shared, roughness, cos_theta);
   };
-  c.horizon = fit::horizon_of(*shared);
+  c.horizon = horizon_of(*shared);
   c.metadata = {
       {"layout", fmt::format("{}, {}, {} x {}", name_of(shared->layout), name_of(shared->precision),
                              shared->columns(), shared->rows())}};
@@ -37,14 +37,14 @@ fit::Candidate candidate_of(table::PackedTable packed, const std::string& label)
   return c;
 }
 
-fit::Candidate candidate_of(table::LobePolynomial polynomial, const std::string& label) {
+Candidate candidate_of(table::LobePolynomial polynomial, const std::string& label) {
   const auto shared = std::make_shared<const table::LobePolynomial>(std::move(polynomial));
-  fit::Candidate c;
+  Candidate c;
   c.label = label;
-  c.lobes = [shared, lobes = fit::lobes_of(*shared)](double roughness, double cos_theta) {
+  c.lobes = [shared, lobes = lobes_of(*shared)](double roughness, double cos_theta) {
     return lobes(roughness, cos_theta);
   };
-  c.horizon = fit::Horizon::clipped;
+  c.horizon = Horizon::clipped;
   c.metadata = {{"form", fmt::format("polynomial of degree {}", shared->degree)},
                 {"brdf", shared->metadata.brdf},
                 {"objective", shared->metadata.objective}};
@@ -67,9 +67,9 @@ std::string other_texture(const std::string& path) {
 
 } // namespace
 
-Result<fit::Candidate> read_candidate(const std::string& path, std::string& note) {
+Result<Candidate> read_candidate(const std::string& path, std::string& note) {
   const std::string label = std::filesystem::path(path).filename().string();
-  if (is_polynomial_file(path)) {
+  if (table::is_polynomial_file(path)) {
     const Result<table::LobePolynomial> polynomial = table::read_polynomial(path);
     if (!polynomial) return polynomial.error();
     return candidate_of(*polynomial, label);
@@ -80,7 +80,7 @@ Result<fit::Candidate> read_candidate(const std::string& path, std::string& note
   // A bare texture does not say what it is; anything else that is wrong stays an error.
   const Result<table::TextureFiles> files = table::read_textures(path);
   if (!files || !files->description.empty()) return packed.error();
-  const Result<std::vector<fit::Identification>> found = fit::identify(files->textures);
+  const Result<std::vector<Identification>> found = identify(files->textures);
   const bool known = found && !found->empty() && found->front().layout;
   if (!known && files->textures.size() == 1)
     return Error{fmt::format("{}: a bare texture that reads as no known table by itself; if it is "
@@ -90,7 +90,7 @@ Result<fit::Candidate> read_candidate(const std::string& path, std::string& note
     return Error{fmt::format("{}: a bare texture that reads as no known table; openltc inspect "
                              "lists the attempts",
                              path)};
-  const fit::Identification& best = found->front();
+  const Identification& best = found->front();
   note = fmt::format("{}: does not say what it is; read as {}, which fits {} best (mean TV {:.4f})",
                      path, name_of(*best.layout), best.brdf, best.mean_tv);
   const Result<table::PackedTable> bare = table::read_packed(path, *best.layout);
@@ -98,4 +98,4 @@ Result<fit::Candidate> read_candidate(const std::string& path, std::string& note
   return candidate_of(*bare, label);
 }
 
-} // namespace openltc::cli
+} // namespace openltc::fit

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "cli/fit_job.h"
+#include "openltc/fit/fit_job.h"
 
+#include "openltc/fit/limit.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
@@ -16,7 +17,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace openltc::cli {
+namespace openltc::fit {
 
 namespace {
 
@@ -41,7 +42,7 @@ std::string interpolation_warning(const PackedTable& packed) {
     const double roughness = table::node_roughness(columns, column);
     if (roughness < k_from) continue;
     for (int row = 0; row < rows; ++row) {
-      const double c = fit::cosine_at(double(row) / (rows - 1), packed.angle_axis);
+      const double c = cosine_at(double(row) / (rows - 1), packed.angle_axis);
       ++points;
       if (table::fetch_packed(packed, roughness, c).lobe.det > 0) continue;
       ++broken;
@@ -56,12 +57,12 @@ std::string interpolation_warning(const PackedTable& packed) {
                      100.0 * broken / points, name_of(packed.layout), least, most);
 }
 
-Result<FittedLobes> fit_polynomial_form(const brdf::Brdf& brdf, const FitChoices& choices,
-                                        const fit::Objective& objective, const Progress& progress) {
-  fit::PolynomialFitOptions options;
-  options.degree = choices.degree;
+Result<FittedLobes> fit_polynomial_form(const brdf::Brdf& brdf, const FitRequest& request,
+                                        const Objective& objective, const Progress& progress) {
+  PolynomialFitOptions options;
+  options.degree = request.degree;
   options.objective = objective;
-  Result<fit::PolynomialFit> fitted = fit::fit_polynomial(brdf, options, progress);
+  Result<PolynomialFit> fitted = fit_polynomial(brdf, options, progress);
   if (!fitted) return fitted.error();
   FittedLobes result;
   result.stored = std::move(fitted->polynomial);
@@ -71,25 +72,25 @@ Result<FittedLobes> fit_polynomial_form(const brdf::Brdf& brdf, const FitChoices
   return result;
 }
 
-Result<FittedLobes> fit_table_form(const brdf::Brdf& brdf, const FitChoices& choices,
-                                   const fit::Objective& objective, const Progress& progress) {
-  fit::TableFitOptions options;
-  options.size = choices.size;
-  options.refine = choices.refine;
+Result<FittedLobes> fit_table_form(const brdf::Brdf& brdf, const FitRequest& request,
+                                   const Objective& objective, const Progress& progress) {
+  TableFitOptions options;
+  options.size = request.size;
+  options.refine = request.refine;
   // Refinement goes through the native look-up, which is not the one that these tables meet.
-  if (choices.layout != Layout::native && choices.refine == fit::Refine::automatic)
-    options.refine = fit::Refine::off;
-  options.angle_axis = table::angle_axis_of(choices.layout);
+  if (request.layout != Layout::native && request.refine == Refine::automatic)
+    options.refine = Refine::off;
+  options.angle_axis = table::angle_axis_of(request.layout);
   options.lobe.objective = objective;
-  Result<table::LobeTable> fitted = fit::fit_table(brdf, options, progress);
+  Result<table::LobeTable> fitted = fit_table(brdf, options, progress);
   if (!fitted) return fitted.error();
-  Result<PackedTable> packed = table::pack(*fitted, choices.layout, table::Precision::float32);
+  Result<PackedTable> packed = table::pack(*fitted, request.layout, table::Precision::float32);
   if (!packed) return packed.error();
-  if (choices.layout != Layout::native && choices.clip_aware) table::divide_amplitudes(*packed);
-  packed = table::with_precision(*packed, choices.precision);
+  if (request.layout != Layout::native && request.clip_aware) table::divide_amplitudes(*packed);
+  packed = table::with_precision(*packed, request.precision);
   if (!packed) return packed.error();
   FittedLobes result;
-  if (choices.layout != Layout::native) result.warning = interpolation_warning(*packed);
+  if (request.layout != Layout::native) result.warning = interpolation_warning(*packed);
   result.stored = std::move(*packed);
   result.nodes = std::move(*fitted);
   return result;
@@ -101,44 +102,23 @@ table::TableMetadata& FittedLobes::metadata() {
   return std::visit([](auto& form) -> table::TableMetadata& { return form.metadata; }, stored);
 }
 
-fit::LobeFunction FittedLobes::lobes() const {
+const table::TableMetadata& FittedLobes::metadata() const {
+  return std::visit([](const auto& form) -> const table::TableMetadata& { return form.metadata; },
+                    stored);
+}
+
+LobeFunction FittedLobes::lobes() const {
   if (const auto* packed = std::get_if<PackedTable>(&stored))
     return [packed](double roughness, double cos_theta) {
       return table::fetch_albedo(*packed, roughness, cos_theta);
     };
-  return fit::lobes_of(std::get<table::LobePolynomial>(stored));
+  return lobes_of(std::get<table::LobePolynomial>(stored));
 }
 
-std::string shell_word(const std::string& path) {
-  constexpr const char* k_plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                  "_-./,:=@%+";
-  if (!path.empty() && path.find_first_not_of(k_plain) == std::string::npos) return path;
-  std::string quoted = "'";
-  for (const char c : path)
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-std::string command_of(const FitChoices& c) {
-  const FitChoices standard;
-  std::string command = fmt::format("openltc fit --brdf {}", shell_word(c.brdf));
-  if (c.form == LobeForm::polynomial)
-    command += fmt::format(" --form polynomial --degree {}", c.degree);
-  else
-    command += fmt::format(" --size {}", c.size);
-  if (c.objective != standard.objective) command += fmt::format(" --objective {}", c.objective);
-  if (c.layout != standard.layout) command += fmt::format(" --layout {}", name_of(c.layout));
-  if (c.precision != standard.precision)
-    command += fmt::format(" --precision {}", name_of(c.precision));
-  if (c.refine != standard.refine)
-    command += fmt::format(" --refine {}", c.refine == fit::Refine::on ? "on" : "off");
-  return c.clip_aware ? command + " --clip-aware" : command;
-}
-
-Status check_extensions(const FitChoices& choices, const std::vector<std::string>& paths) {
+Status check_extensions(const FitRequest& request, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     Status status = Success{};
-    if (choices.form == LobeForm::polynomial)
+    if (request.form == table::LobeForm::polynomial)
       status = table::check_polynomial_extension(path);
     else if (!is_builtin_source(path))
       status = table::check_packed_extension(path);
@@ -147,17 +127,17 @@ Status check_extensions(const FitChoices& choices, const std::vector<std::string
   return Success{};
 }
 
-Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitChoices& choices,
+Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitRequest& request,
                                                const std::vector<std::string>& paths) {
   std::vector<std::string> all;
   for (const std::string& path : paths) {
     std::vector<std::string> files = {path};
-    if (choices.form == LobeForm::table && is_builtin_source(path)) {
-      if (choices.layout != Layout::native || choices.precision != table::Precision::float32)
+    if (request.form == table::LobeForm::table && is_builtin_source(path)) {
+      if (request.layout != Layout::native || request.precision != table::Precision::float32)
         return Error{path + ": C++ source of the built-in is for --layout native --precision "
                             "float32; .h holds any"};
-    } else if (choices.form == LobeForm::table) {
-      files = table::packed_files(choices.layout, path);
+    } else if (request.form == table::LobeForm::table) {
+      files = table::packed_files(request.layout, path);
     }
     if (is_builtin_source(path) && brdf.width != brdf::LobeWidth::alpha)
       return Error{fmt::format("{}: C++ source of the built-in is for lobes that narrow with "
@@ -168,31 +148,59 @@ Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const Fit
   return all;
 }
 
-Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitChoices& choices,
+Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitRequest& request,
                               const Progress& progress) {
-  const Result<fit::Objective> found = fit::find_objective(choices.objective);
+  const Result<Objective> found = find_objective(request.objective);
   if (!found) return found.error();
-  fit::Objective objective = *found;
-  if (choices.layout != Layout::native && !choices.clip_aware)
-    objective.horizon = fit::Horizon::leaking;
+  Objective objective = *found;
+  if (request.layout != Layout::native && !request.clip_aware) objective.horizon = Horizon::leaking;
 
   const auto begin = std::chrono::steady_clock::now();
-  Result<FittedLobes> result = choices.form == LobeForm::polynomial
-                                   ? fit_polynomial_form(brdf, choices, objective, progress)
-                                   : fit_table_form(brdf, choices, objective, progress);
+  Result<FittedLobes> result = request.form == table::LobeForm::polynomial
+                                   ? fit_polynomial_form(brdf, request, objective, progress)
+                                   : fit_table_form(brdf, request, objective, progress);
   if (!result) return result;
   result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result->horizon = objective.horizon;
   result->objective = objective;
-  fit::complete_metadata(result->metadata(), {}, OPENLTC_VERSION, command_of(choices));
+  complete_metadata(result->metadata(), {}, request.tool_version.c_str(), request.command);
   return result;
 }
 
-void state_error(FittedLobes& fitted, const fit::TableError& error) {
+void state_error(FittedLobes& fitted, const TableError& error) {
   table::TableMetadata& metadata = fitted.metadata();
-  const std::string command = metadata.command;
-  fit::complete_metadata(metadata, error, OPENLTC_VERSION, command);
+  const std::string version = metadata.tool_version, command = metadata.command;
+  complete_metadata(metadata, error, version.c_str(), command);
   if (fitted.nodes) fitted.nodes->metadata = metadata;
+}
+
+Candidate candidate_of(const FittedLobes& fitted, const FitRequest& request) {
+  Candidate c;
+  c.label = request.form == table::LobeForm::polynomial
+                ? fmt::format("{}, degree {}", request.objective, request.degree)
+                : fmt::format("{}, {}", request.objective, request.size);
+  c.lobes = fitted.lobes();
+  c.horizon = fitted.horizon;
+  const table::TableMetadata& m = fitted.metadata();
+  for (const table::MetadataField& field : table::k_metadata_fields)
+    if (field.text && !(m.*field.text).empty()) c.metadata.emplace_back(field.name, m.*field.text);
+  if (request.form == table::LobeForm::table)
+    c.metadata.emplace_back(
+        "layout", fmt::format("{}, {}", name_of(request.layout), name_of(request.precision)));
+  if (!fitted.note.empty()) c.metadata.emplace_back("proof", fitted.note);
+  if (fitted.nodes) c.nodes = node_axes(*fitted.nodes, MeasureOptions{0, 1, 90});
+  return c;
+}
+
+Candidate limit_of(const brdf::Brdf& brdf, const FittedLobes& fitted) {
+  Candidate limit;
+  limit.label = "limit";
+  limit.horizon = fitted.horizon;
+  limit.lobes = best_single_lobes(brdf, fitted.lobes(), fitted.objective);
+  limit.metadata = {{"what", fmt::format("the best single lobe at every point by itself, {}",
+                                         fitted.objective.name)}};
+  limit.is_limit = true;
+  return limit;
 }
 
 std::string size_note(const PackedTable& packed) {
@@ -215,4 +223,4 @@ Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const st
   return table::write_packed(std::get<PackedTable>(fitted.stored), path);
 }
 
-} // namespace openltc::cli
+} // namespace openltc::fit

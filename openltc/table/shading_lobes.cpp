@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "cli/lobe_file.h"
+#include "openltc/table/shading_lobes.h"
 
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
@@ -13,17 +13,16 @@
 #include <fstream>
 #include <utility>
 
-namespace openltc::cli {
+namespace openltc::table {
 
 namespace {
 
 // "one, those of eon", or "one" where the BRDF is not known.
-std::string width_of(const table::TableMetadata& metadata) {
+std::string width_of(const TableMetadata& metadata) {
   return metadata.brdf.empty() ? "one" : fmt::format("one, those of {}", metadata.brdf);
 }
 
-Status check_width(const std::string& path, brdf::LobeWidth width,
-                   const table::TableMetadata& metadata) {
+Status check_width(const std::string& path, brdf::LobeWidth width, const TableMetadata& metadata) {
   if (width == brdf::LobeWidth::alpha) return Success{};
   return Error{
       fmt::format("{}: holds lobes of width {}; surfaces are shaded with lobes that narrow "
@@ -31,7 +30,7 @@ Status check_width(const std::string& path, brdf::LobeWidth width,
                   path, width_of(metadata))};
 }
 
-void note_brdf(const std::string& path, const table::TableMetadata& metadata,
+void note_brdf(const std::string& path, const TableMetadata& metadata,
                std::vector<std::string>& notes) {
   if (metadata.brdf.empty() || metadata.brdf == "ggx") return;
   notes.push_back(fmt::format("{}: fitted to {}; the reference integrator and point lights by the "
@@ -56,16 +55,16 @@ bool is_polynomial_file(const std::string& path) {
 
 Result<ShadingLobes> read_shading_lobes(const std::string& path, std::vector<std::string>& notes) {
   if (is_polynomial_file(path)) {
-    Result<table::LobePolynomial> polynomial = table::read_polynomial(path);
+    Result<LobePolynomial> polynomial = read_polynomial(path);
     if (!polynomial) return polynomial.error();
     if (Status status = check_width(path, polynomial->width, polynomial->metadata); !status)
       return status.error();
     note_brdf(path, polynomial->metadata, notes);
     return ShadingLobes(std::move(*polynomial));
   }
-  const Result<table::PackedTable> packed = table::read_packed(path);
+  const Result<PackedTable> packed = read_packed(path);
   if (!packed) return packed.error();
-  Result<table::LobeTable> table = table::shading_table(*packed, path);
+  Result<LobeTable> table = shading_table(*packed, path);
   if (!table) return table.error();
   if (Status status = check_width(path, table->width, table->metadata); !status)
     return status.error();
@@ -81,4 +80,4 @@ Result<ShadingLobes> read_shading_lobes(const std::string& path, std::vector<std
   return ShadingLobes(std::move(*table));
 }
 
-} // namespace openltc::cli
+} // namespace openltc::table

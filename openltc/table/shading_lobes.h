@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace openltc::cli {
+namespace openltc::table {
 
 /// What lobes are kept in.
 enum class LobeForm { table, polynomial };
@@ -22,7 +22,7 @@ enum class LobeForm { table, polynomial };
 bool is_polynomial_file(const std::string& path);
 
 /// Lobes to shade with.
-using ShadingLobes = std::variant<table::LobeTable, table::LobePolynomial>;
+using ShadingLobes = std::variant<LobeTable, LobePolynomial>;
 
 /// Reads a table of any layout, or a polynomial, to shade with. Errors as read_table and
 /// read_polynomial; refuses lobes that the shading kernels would misread: they factor alpha out of
@@ -30,4 +30,4 @@ using ShadingLobes = std::variant<table::LobeTable, table::LobePolynomial>;
 /// `notes` gets a line for each thing that the picture's reader should know about them.
 Result<ShadingLobes> read_shading_lobes(const std::string& path, std::vector<std::string>& notes);
 
-} // namespace openltc::cli
+} // namespace openltc::table

@@ -5,14 +5,16 @@
 
 #pragma once
 
+#include "openltc/base/result.h"
 #include "openltc/fit/report.h"
 
 #include <string>
 
-namespace openltc::cli {
+namespace openltc::fit {
 
 /// Reads a table of any layout, or a polynomial, as a candidate of a report, which owns it. A bare
-/// texture is read as what it most probably is (fit::identify), and `note` says so.
-Result<fit::Candidate> read_candidate(const std::string& path, std::string& note);
+/// texture is read as what it most probably is (identify), and `note` says so. The error names
+/// the file.
+Result<Candidate> read_candidate(const std::string& path, std::string& note);
 
-} // namespace openltc::cli
+} // namespace openltc::fit
