@@ -76,8 +76,6 @@ TEST_CASE("colour scales clamp, and take NaN for 0") {
     CHECK(map_color(map, 9.0f).x == map_color(map, 1.0f).x);
     CHECK(map_color(map, std::numeric_limits<float>::quiet_NaN()).x == map_color(map, 0.0f).x);
   }
-  CHECK(colormap_from_name("viridis") == Colormap::viridis);
-  CHECK(!colormap_from_name("jet").has_value());
 }
 
 TEST_CASE("the characters of the font all differ, and text is cut where it does not fit") {
