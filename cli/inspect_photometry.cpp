@@ -26,7 +26,7 @@ const char* letter_of(PhotometricType type) {
   return type == PhotometricType::a ? "A" : type == PhotometricType::b ? "B" : "C";
 }
 
-const char* words_of(PhotometricSymmetry symmetry) {
+const char* words_of_symmetry(PhotometricSymmetry symmetry) {
   switch (symmetry) {
   case PhotometricSymmetry::axis:
     return "about the axis";
@@ -122,7 +122,7 @@ Result<Description> inspect_photometry(const std::string& path) {
                       "degrees, unfolded\n",
                       vertical_count, vertical.from, vertical.to, horizontal_count, horizontal.from,
                       horizontal.to);
-  text += fmt::format("symmetry   {}\n", words_of(s.symmetry));
+  text += fmt::format("symmetry   {}\n", words_of_symmetry(s.symmetry));
   text += fmt::format("flux       {:.5g} lm, integrated over the sphere; {:.1f} % downwards{}\n",
                       s.flux_lumens, 100 * s.downward_share,
                       profile->downward_share < 0
@@ -174,7 +174,7 @@ Result<Description> inspect_photometry(const std::string& path) {
            {{"count", vertical_count}, {"from", vertical.from}, {"to", vertical.to}}},
           {"horizontal_degrees",
            {{"count", horizontal_count}, {"from", horizontal.from}, {"to", horizontal.to}}},
-          {"symmetry", words_of(s.symmetry)},
+          {"symmetry", words_of_symmetry(s.symmetry)},
           {"flux_lumens", s.flux_lumens},
           {"downward_share", s.downward_share},
           {"stated_downward_share", or_null(profile->downward_share)},

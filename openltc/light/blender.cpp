@@ -16,8 +16,6 @@ namespace openltc::light {
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
-
 Status check_positive(const char* what, double value) {
   if (std::isfinite(value) && value > 0) return Success{};
   return Error{fmt::format("{} {} is not greater than zero", what, value)};
@@ -32,7 +30,8 @@ Result<double> per_watt(const char* what, double size, double watts_share, doubl
 }
 
 Result<double> sphere_factor(double radius, double efficacy) {
-  return per_watt("the radius", radius, 1 / (4 * k_pi * k_pi * radius * radius), efficacy);
+  return per_watt("the radius", radius,
+                  1 / (4 * std::numbers::pi * std::numbers::pi * radius * radius), efficacy);
 }
 
 Result<double> area_factor(double area, double efficacy) {
@@ -41,7 +40,7 @@ Result<double> area_factor(double area, double efficacy) {
 
 Result<double> gltf_factor(PunctualType type, GltfLightMode mode) {
   if (mode == GltfLightMode::raw) return 1.0;
-  const double share = type == PunctualType::directional ? 1 : 1 / (4 * k_pi);
+  const double share = type == PunctualType::directional ? 1 : 1 / (4 * std::numbers::pi);
   return mode == GltfLightMode::standard ? share * k_efficacy_555nm : share;
 }
 

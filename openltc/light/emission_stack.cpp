@@ -16,7 +16,9 @@
 #include "openltc/light/emission_stack.h"
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
 #include "openltc/light/emitter.h"
+#include "openltc/light/line.h"
 #include "openltc/light/picture_part.h"
 #include "openltc/light/polygon.h"
 

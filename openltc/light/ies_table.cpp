@@ -24,7 +24,6 @@ namespace openltc::light {
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
 constexpr int k_steps_per_degree = 4, k_intervals_otherwise = 720;
 constexpr double k_noise = 0.01; // of the largest value
 constexpr double k_edge = 1e-9;  // degrees by which rounding may leave the measured range
@@ -76,12 +75,13 @@ double flux_of(const IesProfile& profile) {
   const std::vector<double>& angles = profile.polar_degrees;
   double sum = 0;
   for (std::size_t p = 0; p + 1 < angles.size(); ++p) {
-    const double t0 = angles[p] * k_pi / 180, t1 = angles[p + 1] * k_pi / 180;
+    const double t0 = angles[p] * std::numbers::pi / 180,
+                 t1 = angles[p + 1] * std::numbers::pi / 180;
     const double a = mean_degrees(profile, angles[p]), b = mean_degrees(profile, angles[p + 1]);
     sum +=
         a * std::cos(t0) - b * std::cos(t1) + (b - a) / (t1 - t0) * (std::sin(t1) - std::sin(t0));
   }
-  return 2 * k_pi * std::max(sum, 0.0);
+  return 2 * std::numbers::pi * std::max(sum, 0.0);
 }
 
 // The least number of equal intervals of `span`, `least` or more, whose ends meet all angles.
@@ -245,17 +245,20 @@ double eval_candela(const IesProfile& profile, Vec3d d) {
 
 double eval_candela(const IesProfile& profile, double vertical_rad, double horizontal_rad) {
   if (profile.type == PhotometricType::c)
-    return eval_own(profile, vertical_rad * 180 / k_pi, horizontal_rad * 180 / k_pi);
-  return eval_candela(profile, direction_of(PhotometricType::c, {vertical_rad * 180 / k_pi,
-                                                                 horizontal_rad * 180 / k_pi}));
+    return eval_own(profile, vertical_rad * 180 / std::numbers::pi,
+                    horizontal_rad * 180 / std::numbers::pi);
+  return eval_candela(profile,
+                      direction_of(PhotometricType::c, {vertical_rad * 180 / std::numbers::pi,
+                                                        horizontal_rad * 180 / std::numbers::pi}));
 }
 
 double mean_candela(const IesProfile& profile, double vertical_rad) {
-  if (profile.type == PhotometricType::c) return mean_degrees(profile, vertical_rad * 180 / k_pi);
+  if (profile.type == PhotometricType::c)
+    return mean_degrees(profile, vertical_rad * 180 / std::numbers::pi);
   constexpr int sectors = 360;
   double sum = 0;
   for (int i = 0; i < sectors; ++i)
-    sum += eval_candela(profile, vertical_rad, 2 * k_pi * (i + 0.5) / sectors);
+    sum += eval_candela(profile, vertical_rad, 2 * std::numbers::pi * (i + 0.5) / sectors);
   return sum / sectors;
 }
 

@@ -18,8 +18,6 @@ namespace openltc::light {
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
-
 Vec3d node_direction(const IesProfile& profile, std::size_t a, std::size_t p) {
   return direction_of(profile.type, node_angles(profile, a, p));
 }
@@ -51,7 +49,8 @@ bool is_round(const IesProfile& profile, double tolerance_candela) {
   if (profile.type != PhotometricType::c) {
     // Another sphere's nodes: as good as the interpolation between them.
     for (const double turn_degrees : {17.0, 45.0, 90.0, 181.0}) {
-      const double c = std::cos(turn_degrees * k_pi / 180), s = std::sin(turn_degrees * k_pi / 180);
+      const double c = std::cos(turn_degrees * std::numbers::pi / 180),
+                   s = std::sin(turn_degrees * std::numbers::pi / 180);
       const auto turned = [&](std::size_t a, std::size_t p) {
         const Vec3d d = node_direction(profile, a, p);
         return eval_candela(profile, Vec3d(c * d.x - s * d.y, s * d.x + c * d.y, d.z));
@@ -101,8 +100,8 @@ std::vector<PlanePoint> plane_curve(const IesProfile& profile, double azimuth_de
   for (int i = -half; i <= half; ++i) {
     const double degrees = 180.0 * i / half;
     const double azimuth = degrees < 0 ? azimuth_degrees + 180 : azimuth_degrees;
-    const double candela =
-        eval_candela(profile, std::abs(degrees) * k_pi / 180, azimuth * k_pi / 180);
+    const double candela = eval_candela(profile, std::abs(degrees) * std::numbers::pi / 180,
+                                        azimuth * std::numbers::pi / 180);
     curve.push_back({degrees, candela});
   }
   return curve;

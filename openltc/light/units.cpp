@@ -7,8 +7,10 @@
 #include "openltc/light/units.h"
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
 #include "openltc/light/emitter.h"
 #include "openltc/light/ies.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
 
 #include <fmt/format.h>
@@ -21,8 +23,6 @@
 namespace openltc::light {
 
 namespace {
-
-constexpr double k_pi = std::numbers::pi;
 
 double length_of(Vec3f v) { return length(to_double(v)); }
 
@@ -43,11 +43,12 @@ double usable(double per_radiance) { return is_factor(per_radiance) ? per_radian
 
 // Integral over the half circle of cos^(p+1): sqrt(pi) G(p/2 + 1) / G(p/2 + 3/2).
 double half_circle(double p) {
-  return std::sqrt(k_pi) * std::exp(std::lgamma(0.5 * p + 1) - std::lgamma(0.5 * p + 1.5));
+  return std::sqrt(std::numbers::pi) *
+         std::exp(std::lgamma(0.5 * p + 1) - std::lgamma(0.5 * p + 1.5));
 }
 
 // Integral over the visible hemisphere of a unit sphere of cos^p times its projected area.
-double visible_sphere(double p) { return 2 * k_pi / (p + 2); }
+double visible_sphere(double p) { return 2 * std::numbers::pi / (p + 2); }
 
 Result<double> from_exposure(double ev100, double constant) {
   if (!std::isfinite(ev100)) return wrong("the exposure value", ev100, "is not finite");
@@ -121,13 +122,13 @@ Result<double> watts_from_lumens(double flux_lumens, double efficacy) {
 Result<double> exitance_from_luminance(double luminance_nits, double cosine_power) {
   if (!is_quantity(cosine_power))
     return wrong("the cosine power", cosine_power, "is negative or not finite");
-  return scale_quantity("the luminance", luminance_nits, 2 * k_pi / (cosine_power + 2));
+  return scale_quantity("the luminance", luminance_nits, 2 * std::numbers::pi / (cosine_power + 2));
 }
 
 Result<double> luminance_from_exitance(double exitance, double cosine_power) {
   if (!is_quantity(cosine_power))
     return wrong("the cosine power", cosine_power, "is negative or not finite");
-  return divide_quantity("the exitance", exitance, 2 * k_pi / (cosine_power + 2));
+  return divide_quantity("the exitance", exitance, 2 * std::numbers::pi / (cosine_power + 2));
 }
 
 Result<double> illuminance_from_intensity(double intensity_candela, double distance,
@@ -185,7 +186,7 @@ double intensity_per_radiance(const TubeLight& light) {
 }
 
 double flux_per_intensity(const LineLight& light) {
-  return usable(k_pi * k_pi * length_of(light.to - light.from));
+  return usable(std::numbers::pi * std::numbers::pi * length_of(light.to - light.from));
 }
 
 double flux_per_intensity(const PunctualLight& light) {
@@ -194,7 +195,9 @@ double flux_per_intensity(const PunctualLight& light) {
   const double outer = double(light.cos_outer);
   const double inner = std::max(double(light.cos_inner), outer + 1e-4);
   const bool spot = light.type == PunctualType::spot;
-  if (!light.profile) return usable(spot ? 2 * k_pi * (1 - inner + (inner - outer) / 3) : 4 * k_pi);
+  if (!light.profile)
+    return usable(spot ? 2 * std::numbers::pi * (1 - inner + (inner - outer) / 3)
+                       : 4 * std::numbers::pi);
   const IesProfile& profile = *light.profile;
   if (!spot) return usable(profile.flux_lumens / profile.max_candela);
 
@@ -206,7 +209,7 @@ double flux_per_intensity(const PunctualLight& light) {
     const double ramp = std::clamp((c - outer) / (inner - outer), 0.0, 1.0);
     if (ramp > 0) sum += ramp * ramp * mean_candela(profile, std::acos(c));
   }
-  return usable(sum / rings * 4 * k_pi / profile.max_candela);
+  return usable(sum / rings * 4 * std::numbers::pi / profile.max_candela);
 }
 
 } // namespace openltc::light

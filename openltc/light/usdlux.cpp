@@ -17,8 +17,6 @@ namespace openltc::light {
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
-
 // intensity * 2^exposure * color * factor.
 Result<Vec3f> emitted(const UsdLuxEmission& emission, double factor) {
   if (!std::isfinite(emission.intensity) || emission.intensity < 0)
@@ -82,11 +80,12 @@ Result<UsdLuxEmission> usdlux_from_luminance(Vec3f luminance_nits, double exposu
 Result<double> usdlux_distant_size_factor(double angle_degrees) {
   if (!std::isfinite(angle_degrees))
     return Error{fmt::format("inputs:angle {} is not finite", angle_degrees)};
-  const double t = std::clamp(angle_degrees * k_pi / 360, 0.0, k_pi);
+  const double t = std::clamp(angle_degrees * std::numbers::pi / 360, 0.0, std::numbers::pi);
   const double sine = std::sin(t);
   // Below this the square underflows: as small as a point.
   if (t < 1e-100) return 1.0;
-  return t <= k_pi / 2 ? k_pi * sine * sine : k_pi * (2 - sine * sine);
+  return t <= std::numbers::pi / 2 ? std::numbers::pi * sine * sine
+                                   : std::numbers::pi * (2 - sine * sine);
 }
 
 Result<Vec3f> illuminance_from_usdlux_distant(const UsdLuxEmission& emission,

@@ -7,9 +7,9 @@
 //   L = intensity * 2^exposure * color / size_factor, nits,
 // with size_factor 1, or, when `normalize` is on, the world-space area of the light's surface:
 // rect w h, disk pi r^2, sphere 4 pi r^2, cylinder 2 pi r l (it does not emit from its ends, so it
-// is a TubeLight of TubeCaps::none); each is area() of the light's shape in light/polygon.h and
-// light/curved.h, after all transforms. The intensity of a normalized light is in nits m2: its flux
-// over pi, for Lambert's emitter.
+// is a TubeLight of TubeCaps::none); each is area() of the light's shape in light/polygon.h,
+// light/ellipse.h and light/curved.h, after all transforms. The intensity of a normalized light is
+// in nits m2: its flux over pi, for Lambert's emitter.
 //
 // A distant light of angular diameter a has t = a/2 and the size factor pi sin(t)^2 up to t = pi/2,
 // pi (2 - sin(t)^2) beyond, and 1 for t = 0. That is the illuminance on a facing surface over the

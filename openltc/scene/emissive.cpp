@@ -272,16 +272,4 @@ std::vector<light::Lights> find_emissive_lights(Scene& scene, const EmissiveOpti
   return lights;
 }
 
-void append_lights(const light::Lights& from, light::Lights& to) {
-  const auto append = [](const auto& some, auto& all) {
-    all.insert(all.end(), some.begin(), some.end());
-  };
-  append(from.polygons, to.polygons);
-  append(from.ellipses, to.ellipses);
-  append(from.spheres, to.spheres);
-  append(from.tubes, to.tubes);
-  append(from.lines, to.lines);
-  append(from.punctual, to.punctual);
-}
-
 } // namespace openltc::scene

@@ -74,7 +74,4 @@ EmissiveLights emissive_lights(const Mesh& mesh, const Material& material,
 std::vector<light::Lights> find_emissive_lights(Scene& scene, const EmissiveOptions& options,
                                                 Warnings& warnings);
 
-/// Appends copies of the lights `from` to `to`. Both have the same textures or `from` uses none.
-void append_lights(const light::Lights& from, light::Lights& to);
-
 } // namespace openltc::scene

@@ -9,12 +9,9 @@
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_memory.h"
+#include "openltc/scene/gltf_tinygltf.h"
 
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cstring>

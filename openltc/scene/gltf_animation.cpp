@@ -9,13 +9,10 @@
 #include "openltc/scene/gltf_accessor.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_tinygltf.h"
 #include "openltc/scene/keyframes.h"
 
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include <charconv>
 #include <cmath>

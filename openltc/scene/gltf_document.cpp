@@ -23,18 +23,14 @@
 #include "openltc/scene/gltf_memory.h"
 #include "openltc/scene/gltf_meshopt.h"
 #include "openltc/scene/gltf_schema.h"
+#include "openltc/scene/gltf_tinygltf.h"
 #include "openltc/scene/gltf_uri.h"
 
-#include <nlohmann/json.hpp>
-
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace openltc::scene::gltf {

@@ -9,6 +9,7 @@
 
 #include "openltc/scene/gltf_export.h"
 
+#include "openltc/light/light_list.h"
 #include "openltc/light/photometry.h"
 #include "openltc/scene/area_light.h"
 #include "openltc/scene/glb_writer.h"
@@ -148,7 +149,7 @@ private:
   void write_mesh_lights() {
     std::map<int, light::Lights> by_node;
     for (std::size_t i = 0; i < imported_.mesh_lights.size(); ++i)
-      append_lights(imported_.mesh_lights[i], by_node[imported_.scene.meshes[i].node]);
+      light::append_lights(imported_.mesh_lights[i], by_node[imported_.scene.meshes[i].node]);
     for (const auto& [index, lights] : by_node) {
       if (index < 0 || lights.empty()) continue;
       AreaLights found = area_lights_of(lights);

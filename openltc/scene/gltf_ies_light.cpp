@@ -6,6 +6,7 @@
 #include "openltc/light/photometry.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_failure.h"
+#include "openltc/scene/gltf_name.h"
 #include "openltc/scene/gltf_placement.h"
 #include "openltc/scene/gltf_uri.h"
 
@@ -171,7 +172,7 @@ void read_ies_light(Document& document, const IesNode& node, const Transform& to
   };
   light.intensity = Vec3f(channel(0), channel(1), channel(2));
   const IesSource& source = document.ies_lights.sources[std::size_t(node.light)];
-  light.name = first_of(node_name, source.name, light.profile->name);
+  light.name = first_name_of(node_name, source.name, light.profile->name);
   lights.punctual.push_back(std::move(light));
 }
 

@@ -3,6 +3,7 @@
 
 #include "openltc/scene/gltf_import.h"
 
+#include "openltc/light/light_list.h"
 #include "openltc/scene/gltf_animation.h"
 #include "openltc/scene/gltf_container.h"
 #include "openltc/scene/gltf_document.h"
@@ -78,7 +79,7 @@ Imported import_gltf(std::span<const std::uint8_t> bytes, const Folder& folder,
     light_bytes += lights.area_light_count() * k_light_bytes;
   take_memory(*scene.memory, light_bytes, "lights of emissive triangles");
   for (const light::Lights& lights : imported.mesh_lights)
-    append_lights(lights, scene.lights);
+    light::append_lights(lights, scene.lights);
   scene.warnings = document.warnings.lines();
   return imported;
 }

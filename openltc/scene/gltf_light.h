@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Lights and cameras that nodes carry.
+// Lights that nodes carry.
 
 #pragma once
 
@@ -21,9 +21,5 @@ light::PunctualLight read_punctual_light(Document& document, int index, const Tr
 /// that of the light.
 void read_area_light(Document& document, int index, const Transform& to_world,
                      const std::string& node_name, double surface_deviation, light::Lights& lights);
-
-/// cameras[index], placed by `to_world`. Throws Failure for values that give no picture.
-Camera read_camera(Document& document, int index, const Transform& to_world,
-                   const std::string& node_name);
 
 } // namespace openltc::scene::gltf

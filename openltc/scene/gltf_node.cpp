@@ -6,7 +6,9 @@
 
 #include "openltc/scene/gltf_node.h"
 
+#include "openltc/light/light_list.h"
 #include "openltc/scene/gltf_accessor.h"
+#include "openltc/scene/gltf_camera.h"
 #include "openltc/scene/gltf_document.h"
 #include "openltc/scene/gltf_extras_light.h"
 #include "openltc/scene/gltf_failure.h"
@@ -17,15 +19,12 @@
 #include "openltc/scene/gltf_memory.h"
 #include "openltc/scene/gltf_primitive.h"
 #include "openltc/scene/gltf_skin.h"
+#include "openltc/scene/gltf_tinygltf.h"
 #include "openltc/scene/normals.h"
 #include "openltc/scene/scene_origin.h"
 #include "openltc/scene/transform.h"
 
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -366,7 +365,7 @@ private:
       attach_mesh(label, std::span(scene_.meshes).subspan(first_mesh), scene_.materials,
                   found.light, document_.warnings);
     }
-    append_lights(found.light, scene_.lights);
+    light::append_lights(found.light, scene_.lights);
     imported_.extras_lights.push_back(std::move(found));
   }
 

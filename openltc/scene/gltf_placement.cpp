@@ -13,10 +13,6 @@
 
 namespace openltc::scene::gltf {
 
-std::string first_of(const std::string& a, const std::string& b, const std::string& c) {
-  return !a.empty() ? a : !b.empty() ? b : c;
-}
-
 Placement placement_of(const Transform& to_world, const std::string& what, Document& document) {
   Placement placement;
   placement.position = to_world.column[3];

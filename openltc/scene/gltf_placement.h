@@ -29,7 +29,4 @@ struct Placement {
 /// warning when the node has no direction, a Failure when it lies outside the range of numbers.
 Placement placement_of(const Transform& to_world, const std::string& what, Document& document);
 
-/// The first of these names that is not empty.
-std::string first_of(const std::string& a, const std::string& b, const std::string& c);
-
 } // namespace openltc::scene::gltf

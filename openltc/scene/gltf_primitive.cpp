@@ -12,14 +12,11 @@
 #include "openltc/scene/gltf_failure.h"
 #include "openltc/scene/gltf_memory.h"
 #include "openltc/scene/gltf_morph.h"
+#include "openltc/scene/gltf_tinygltf.h"
 #include "openltc/scene/normals.h"
 #include "openltc/scene/tangents.h"
 
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 #include <cmath>
 #include <limits>

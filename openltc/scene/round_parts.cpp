@@ -4,6 +4,7 @@
 #include "openltc/scene/round_parts.h"
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
 #include "openltc/scene/recognise.h"
 
 #include <algorithm>

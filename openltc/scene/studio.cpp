@@ -11,6 +11,8 @@
 #include "openltc/scene/studio.h"
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/shapes.h"
 

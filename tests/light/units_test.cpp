@@ -6,7 +6,9 @@
 
 #include "openltc/light/blender.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
 #include "openltc/light/ies.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/shapes.h"
 #include "openltc/light/units.h"

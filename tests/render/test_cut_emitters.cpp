@@ -4,6 +4,7 @@
 // A glowing rectangle of which alpha leaves a part lights a floor as that part does: the form
 // factor by quadrature over what is open.
 
+#include "openltc/light/light_list.h"
 #include "openltc/render/renderer.h"
 #include "openltc/scene/emissive.h"
 #include "test_scenes.h"
@@ -52,7 +53,7 @@ scene::Scene panel(scene::AlphaMode mode, float factor, float outside) {
   scene.meshes.push_back(mesh);
   scene::Warnings warnings;
   for (const light::Lights& lights : scene::find_emissive_lights(scene, {}, warnings))
-    scene::append_lights(lights, scene.lights);
+    light::append_lights(lights, scene.lights);
   CHECK(warnings.lines().empty());
   return scene;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "openltc/light/polygon.h"
+#include "openltc/light/punctual.h"
 #include "openltc/scene/framing.h"
 #include "openltc/scene/studio.h"
 
