@@ -3,10 +3,10 @@
 //
 // openltc fit: from a BRDF to a lobe table or polynomial, and the report of its error.
 
-#include "cli/choice.h"
 #include "cli/commands.h"
 #include "cli/fit_command.h"
-#include "cli/number.h"
+#include "cli/options/choice.h"
+#include "cli/options/number.h"
 #include "cli/output_place.h"
 #include "cli/process/message.h"
 #include "cli/process/standard_streams.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
-#include "cli/finite_numbers.h"
+#include "cli/options/finite_numbers.h"
 #include "cli/process/ending.h"
 #include "cli/process/file_watch.h"
 #include "cli/process/message.h"

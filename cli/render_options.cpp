@@ -5,11 +5,11 @@
 
 #include "cli/render_options.h"
 
-#include "cli/choice.h"
-#include "cli/number.h"
-#include "cli/pose_options.h"
-#include "cli/reading_options.h"
-#include "cli/shape_options.h"
+#include "cli/options/choice.h"
+#include "cli/options/number.h"
+#include "cli/options/pose_options.h"
+#include "cli/options/reading_options.h"
+#include "cli/options/shape_options.h"
 
 #include <limits>
 

@@ -10,7 +10,7 @@
 #include "openltc/base/sampling.h"
 #include "openltc/fit/polygon_integral.h"
 #include "openltc/plot/lobe_quadrature.h"
-#include "openltc/scene/simple_outline.h"
+#include "openltc/scene/emissive/simple_outline.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "openltc/render/studio_choice.h"
 
 #include "openltc/render/studio_room.h"
-#include "openltc/scene/studio.h"
+#include "openltc/scene/view/studio.h"
 
 #include <algorithm>
 #include <cmath>

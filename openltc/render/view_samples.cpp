@@ -9,7 +9,7 @@
 #include "openltc/light/ellipse.h"
 #include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
-#include "openltc/scene/backdrop.h"
+#include "openltc/scene/view/backdrop.h"
 
 #include <algorithm>
 #include <cmath>

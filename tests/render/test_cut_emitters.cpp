@@ -6,7 +6,7 @@
 
 #include "openltc/light/light_list.h"
 #include "openltc/render/renderer.h"
-#include "openltc/scene/emissive.h"
+#include "openltc/scene/emissive/emissive.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "openltc/light/light_list.h"
-#include "openltc/scene/emissive.h"
-#include "openltc/scene/emissive_texture.h"
+#include "openltc/scene/emissive/emissive.h"
+#include "openltc/scene/emissive/emissive_texture.h"
 
 #include <doctest/doctest.h>
 

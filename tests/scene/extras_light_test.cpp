@@ -11,7 +11,7 @@
 #include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/punctual.h"
-#include "openltc/scene/light_surface.h"
+#include "openltc/scene/emissive/light_surface.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>

@@ -10,7 +10,7 @@
 #include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/punctual.h"
-#include "openltc/scene/gltf_export.h"
+#include "openltc/scene/gltf/export.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>

@@ -3,8 +3,8 @@
 
 #include "openltc/light/polygon.h"
 #include "openltc/light/punctual.h"
-#include "openltc/scene/framing.h"
-#include "openltc/scene/studio.h"
+#include "openltc/scene/view/framing.h"
+#include "openltc/scene/view/studio.h"
 
 #include <doctest/doctest.h>
 

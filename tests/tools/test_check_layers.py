@@ -73,7 +73,7 @@ class Layers(unittest.TestCase):
             self.assert_clean("openltc/render/a.cpp", "#include <%s>\n" % header)
         self.assert_clean("openltc/render/embree.h", "#include <embree4/rtcore.h>\n")
         self.assert_clean("openltc/image/exr_input.h", "#include <ImfIO.h>\n")
-        self.assert_clean("openltc/scene/gltf_tinygltf.h", "#include <tiny_gltf.h>\n")
+        self.assert_clean("openltc/scene/gltf/file/tinygltf.h", "#include <tiny_gltf.h>\n")
 
     def test_library_is_silent(self):
         for line in ("std::cerr << 1;", 'fmt::print(stderr, "x");', 'fmt::print("x");', 'printf("x");',
