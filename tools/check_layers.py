@@ -27,7 +27,7 @@ import os
 import re
 import sys
 
-k_layers = ["shade", "target", "base", "image", "brdf", "table", "fit", "light", "scene", "render", "plot"]
+k_layers = ["shade", "target", "base", "image", "draw", "brdf", "table", "fit", "light", "scene", "render", "plot"]
 k_source_endings = (".h", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh", ".mjs", ".cmake")
 k_source_names = ("CMakeLists.txt", "Makefile", "run")
 k_skipped_folders = {".git", "build", "out", "node_modules", "__pycache__"}

@@ -96,7 +96,7 @@ std::string command_of(const ErrorArguments& arguments, const std::vector<std::s
   return command;
 }
 
-Result<plot::Figure> make_figure(const ErrorArguments& arguments) {
+Result<draw::Figure> make_figure(const ErrorArguments& arguments) {
   const Result<brdf::Brdf> brdf = brdf_of_option(arguments.brdf);
   if (!brdf) return brdf.error();
   plot::ErrorFigureOptions options;

@@ -29,7 +29,7 @@ std::string list_of(const std::vector<double>& values) {
   return fmt::format("{:g}", fmt::join(values, ","));
 }
 
-Result<plot::Figure> make_figure(const FitPlotArguments& a) {
+Result<draw::Figure> make_figure(const FitPlotArguments& a) {
   const Result<brdf::Brdf> brdf = brdf_of_option(a.brdf);
   if (!brdf) return brdf.error();
   plot::FitFigureOptions options;

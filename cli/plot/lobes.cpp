@@ -83,7 +83,7 @@ Result<std::vector<plot::LobeRow>> rows_of(const LobesArguments& arguments) {
   return rows;
 }
 
-Result<plot::Figure> make_figure(const LobesArguments& arguments) {
+Result<draw::Figure> make_figure(const LobesArguments& arguments) {
   Result<std::vector<plot::LobeRow>> rows = rows_of(arguments);
   if (!rows) return rows.error();
   if (arguments.brdf) {

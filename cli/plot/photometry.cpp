@@ -25,7 +25,7 @@ struct PhotometryArguments {
   bool per_kilolumen = false;
 };
 
-Result<plot::Figure> make_figure(const PhotometryArguments& a) {
+Result<draw::Figure> make_figure(const PhotometryArguments& a) {
   Result<light::IesProfile> profile = light::read_photometry(a.path);
   if (!profile) return profile.error();
   if (!a.output.quiet)

@@ -11,7 +11,7 @@
 #include "cli/process/message.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/brdf/choose.h"
-#include "openltc/plot/output.h"
+#include "openltc/draw/figure_file.h"
 
 #include <fmt/format.h>
 
@@ -28,8 +28,8 @@ CLI::App* add_figure(CLI::App& plot, const std::string& what, const std::string&
       ->add_option("-o,--output", output.paths,
                    fmt::format("File to write, .svg or .png. May be repeated [{}.svg]", what))
       ->allow_extra_args(false);
-  const Choices<plot::Theme> themes = {
-      {"auto", plot::Theme::automatic}, {"light", plot::Theme::light}, {"dark", plot::Theme::dark}};
+  const Choices<draw::Theme> themes = {
+      {"auto", draw::Theme::automatic}, {"light", draw::Theme::light}, {"dark", draw::Theme::dark}};
   command
       ->add_option("--background", output.theme,
                    "Colours of the page: auto, in .svg those that the reader's browser prefers, in "
@@ -47,17 +47,17 @@ int fail_plot(const PlotOutput& output, const Error& error) {
   return fail("plot " + output.what, error);
 }
 
-int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure>()>& make) {
+int run_figure(const PlotOutput& output, const std::function<Result<draw::Figure>()>& make) {
   std::vector<std::string> paths = output.paths;
   if (paths.empty()) paths.push_back(output.what + ".svg");
   for (const std::string& path : paths) {
-    if (Status ok = plot::check_extension(path); !ok) {
+    if (Status ok = draw::check_extension(path); !ok) {
       fail_plot(output, ok.error());
       return k_exit_usage;
     }
   }
   if (Status ok = check_places(paths); !ok) return fail_plot(output, ok.error());
-  const Result<plot::Figure> figure = make();
+  const Result<draw::Figure> figure = make();
   if (!figure) {
     const int failed = fail_plot(output, figure.error());
     // What names an option first is wrong usage.
@@ -66,7 +66,7 @@ int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure
   if (Status ok = check_not_read(paths); !ok) return fail_plot(output, ok.error());
   FileGroup together;
   for (const std::string& path : paths)
-    if (Status ok = plot::write_figure(path, *figure, output.theme, output.scale); !ok)
+    if (Status ok = draw::write_figure(path, *figure, output.theme, output.scale); !ok)
       return fail_plot(output, ok.error());
   if (Status ok = together.commit(); !ok) return fail_plot(output, ok.error());
   if (!output.quiet)

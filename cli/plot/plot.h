@@ -6,7 +6,7 @@
 #pragma once
 
 #include "openltc/brdf/brdf.h"
-#include "openltc/plot/figure.h"
+#include "openltc/draw/figure.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,7 +19,7 @@ namespace openltc::cli {
 struct PlotOutput {
   std::string what; ///< the figure's name: "lobes"; without -o it goes to lobes.svg
   std::vector<std::string> paths;
-  plot::Theme theme = plot::Theme::automatic;
+  draw::Theme theme = draw::Theme::automatic;
   double scale = 2; ///< pixels of a .png to a unit of the figure
   bool quiet = false;
 };
@@ -31,7 +31,7 @@ CLI::App* add_figure(CLI::App& plot, const std::string& what, const std::string&
 /// Checks the outputs, makes the figure and writes it, all files or none begun; returns the exit
 /// code. `make` reports its own progress, if not quiet; an error of its that begins with the name
 /// of an option, "--", is wrong usage.
-int run_figure(const PlotOutput& output, const std::function<Result<plot::Figure>()>& make);
+int run_figure(const PlotOutput& output, const std::function<Result<draw::Figure>()>& make);
 
 /// The BRDF that --brdf names. An unknown name is wrong usage, a file that cannot be read is not.
 Result<brdf::Brdf> brdf_of_option(const std::string& name_or_path);

@@ -30,7 +30,7 @@ struct PointArguments {
   std::string table;
 };
 
-Result<plot::Figure> make_figure(const PointArguments& a, bool f0_given) {
+Result<draw::Figure> make_figure(const PointArguments& a, bool f0_given) {
   if (f0_given && a.setup.metallic >= 1)
     return Error{"--f0 is of the part that is no metal; give --metallic below 1"};
   plot::PointFigureOptions options;

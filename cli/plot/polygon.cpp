@@ -115,7 +115,7 @@ void add_plot_polygon(CLI::App& plot, int& exit_code) {
       ->capture_default_str();
   command->add_option("--seed", a.sampling.seed, "Of the samples")->capture_default_str();
   command->callback([arguments, &exit_code] {
-    exit_code = run_figure(arguments->output, [&]() -> Result<plot::Figure> {
+    exit_code = run_figure(arguments->output, [&]() -> Result<draw::Figure> {
       const Result<plot::PolygonOptions> options = options_of(*arguments);
       if (!options) return options.error();
       return plot::make_polygon_figure(*options);

@@ -1,13 +1,10 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
-//
-// Pictures are PNG files with a palette inside data URIs: ISO/IEC 15948:2004 (PNG), RFC 1950 and
-// 1951 (zlib and deflate, here with stored blocks only: the pictures are small), RFC 4648 (base
-// 64).
 
 #include "openltc/fit/report_figure.h"
 
 #include "openltc/base/markup.h"
+#include "openltc/draw/palette.h"
 #include "openltc/image/colormap.h"
 
 #include <fmt/format.h>
@@ -16,58 +13,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace openltc::fit {
 
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-
-void append_u32(Bytes& to, std::uint32_t x) {
-  for (int shift = 24; shift >= 0; shift -= 8)
-    to.push_back(std::uint8_t(x >> shift));
-}
-
-std::uint32_t crc32(const Bytes& bytes) {
-  std::uint32_t crc = 0xffffffffu;
-  for (const std::uint8_t byte : bytes) {
-    crc ^= byte;
-    for (int bit = 0; bit < 8; ++bit)
-      crc = (crc >> 1) ^ ((crc & 1u) != 0 ? 0xedb88320u : 0u);
-  }
-  return ~crc;
-}
-
-void append_chunk(Bytes& png, std::string_view type, const Bytes& data) {
-  append_u32(png, std::uint32_t(data.size()));
-  Bytes body(type.begin(), type.end());
-  body.insert(body.end(), data.begin(), data.end());
-  png.insert(png.end(), body.begin(), body.end());
-  append_u32(png, crc32(body));
-}
-
-Bytes stored_zlib(const Bytes& raw) {
-  Bytes out = {0x78, 0x01};
-  constexpr std::size_t k_block = 65535;
-  for (std::size_t at = 0; at < raw.size(); at += k_block) {
-    const std::size_t size = std::min(k_block, raw.size() - at);
-    out.push_back(at + size == raw.size() ? 1 : 0);
-    out.push_back(std::uint8_t(size));
-    out.push_back(std::uint8_t(size >> 8));
-    out.push_back(std::uint8_t(~size));
-    out.push_back(std::uint8_t(~size >> 8));
-    out.insert(out.end(), raw.begin() + std::ptrdiff_t(at),
-               raw.begin() + std::ptrdiff_t(at + size));
-  }
-  std::uint32_t a = 1, b = 0;
-  for (const std::uint8_t byte : raw) {
-    a = (a + byte) % 65521;
-    b = (b + a) % 65521;
-  }
-  append_u32(out, (b << 16) | a);
-  return out;
-}
 
 // Palette entry 0 is transparent; 1..255 run along the colour map. What is not a number is 1.
 std::uint8_t palette_index(double t) {
@@ -75,30 +26,15 @@ std::uint8_t palette_index(double t) {
   return std::uint8_t(1 + std::lround(254 * std::clamp(t, 0.0, 1.0)));
 }
 
-std::string png_uri(const Bytes& indices, int width, int height, image::Colormap map) {
-  Bytes header;
-  append_u32(header, std::uint32_t(width));
-  append_u32(header, std::uint32_t(height));
-  header.insert(header.end(), {8, 3, 0, 0, 0}); // 8 bits, palette, no interlacing
-  Bytes palette = {0, 0, 0};
+std::string png_uri(std::vector<std::uint8_t> indices, int width, int height, image::Colormap map) {
+  draw::PaletteImage picture{width, height, std::move(indices), {{0, 0, 0, 0}}};
+  const auto byte = [](float x) { return std::uint8_t(std::lround(255.0f * x)); };
   for (int i = 0; i < 255; ++i) {
     const Vec3f c = image::map_color(map, float(i) / 254.0f);
-    for (const float v : {c.x, c.y, c.z})
-      palette.push_back(std::uint8_t(std::lround(255.0f * v)));
+    picture.palette.push_back({byte(c.x), byte(c.y), byte(c.z), 255});
   }
-  Bytes raw;
-  for (int row = 0; row < height; ++row) {
-    raw.push_back(0); // no filter
-    const auto from = indices.begin() + std::ptrdiff_t(row) * width;
-    raw.insert(raw.end(), from, from + width);
-  }
-  Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  append_chunk(png, "IHDR", header);
-  append_chunk(png, "PLTE", palette);
-  append_chunk(png, "tRNS", {0});
-  append_chunk(png, "IDAT", stored_zlib(raw));
-  append_chunk(png, "IEND", {});
-  return "data:image/png;base64," + base64(png);
+  const Result<std::vector<std::uint8_t>> png = draw::encode_png(picture);
+  return png ? "data:image/png;base64," + base64(*png) : ""; // only memory can be missing
 }
 
 std::string line(double x0, double y0, double x1, double y1, const char* style) {
@@ -114,7 +50,7 @@ std::string label_at(double x, double y, const char* style, const std::string& t
 // A vertical colour bar: labels from bottom to top.
 std::string vertical_bar(image::Colormap map,
                          const std::vector<std::pair<double, std::string>>& labels) {
-  Bytes indices;
+  std::vector<std::uint8_t> indices;
   for (int i = 0; i < 64; ++i)
     indices.push_back(palette_index(1 - i / 63.0));
   std::string svg = "<svg class=\"bar\" viewBox=\"0 0 74 176\" width=\"74\" height=\"176\" "
@@ -145,7 +81,7 @@ std::string heat_map(const ErrorMap& map, const MeasureOptions& region, const Lo
                      const std::string& label) {
   constexpr double left = 46, upper = 6, side = 180;
   const auto columns = map.columns(), rows = map.rows();
-  Bytes indices;
+  std::vector<std::uint8_t> indices;
   for (std::size_t row = rows; row-- > 0;) // grazing angles on top
     for (std::size_t column = 0; column < columns; ++column)
       indices.push_back(palette_index(map.at(column, row).*field.member / top));
@@ -189,7 +125,7 @@ std::string heat_map(const ErrorMap& map, const MeasureOptions& region, const Lo
 std::string color_bar(double top) {
   std::string svg = "<svg class=\"bar\" viewBox=\"0 0 240 36\" width=\"240\" height=\"36\" "
                     "role=\"img\" aria-label=\"colour scale\">";
-  Bytes indices;
+  std::vector<std::uint8_t> indices;
   for (int i = 0; i < 64; ++i)
     indices.push_back(palette_index(i / 63.0));
   svg += fmt::format("<image x=\"46\" y=\"2\" width=\"180\" height=\"10\" "
@@ -205,7 +141,7 @@ std::string color_bar(double top) {
 
 std::string lobe_disc(const LobePicture& picture, const WorstCell& cell, const std::string& label) {
   constexpr double side = 170, margin = 3;
-  Bytes indices;
+  std::vector<std::uint8_t> indices;
   for (const double density : picture.disc) {
     if (density < 0) {
       indices.push_back(0);

@@ -4,7 +4,7 @@
 #include "openltc/plot/error_figure.h"
 
 #include "openltc/base/markup.h"
-#include "openltc/plot/axes.h"
+#include "openltc/draw/axes.h"
 
 #include <fmt/format.h>
 
@@ -96,8 +96,8 @@ std::string number(double x, bool with_sign = false) {
 }
 
 std::string shortened(std::string text, double width, double size) {
-  if (text_width(text, size) <= width) return text;
-  while (!text.empty() && text_width(text + "…", size) > width) {
+  if (draw::text_width(text, size) <= width) return text;
+  while (!text.empty() && draw::text_width(text + "…", size) > width) {
     // Whole characters of UTF-8.
     while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0u) == 0x80u)
       text.pop_back();
@@ -107,13 +107,13 @@ std::string shortened(std::string text, double width, double size) {
 }
 
 // The axis of the maps is uniform where their cells are; its ticks are round angles.
-Axis angle_axis(const fit::MeasureOptions& region) {
+draw::Axis angle_axis(const fit::MeasureOptions& region) {
   const auto place = [&](double degrees) {
     return region.angle_axis == table::AngleAxis::theta
                ? degrees
                : std::sqrt(1 - std::cos(degrees * f64::k_pi / 180));
   };
-  Axis axis;
+  draw::Axis axis;
   axis.from = 0;
   axis.to = place(region.theta_to_degrees);
   for (int degrees = 0; degrees <= region.theta_to_degrees; degrees += 20)
@@ -121,8 +121,9 @@ Axis angle_axis(const fit::MeasureOptions& region) {
   return axis;
 }
 
-Panel panel_at(const ErrorFigureOptions& options, Vec2d corner, bool first_column, bool last_row) {
-  Panel panel;
+draw::Panel panel_at(const ErrorFigureOptions& options, Vec2d corner, bool first_column,
+                     bool last_row) {
+  draw::Panel panel;
   panel.corner = corner;
   panel.size = side_of(options.lobes.size());
   panel.x.from = options.region.roughness_from;
@@ -132,40 +133,42 @@ Panel panel_at(const ErrorFigureOptions& options, Vec2d corner, bool first_colum
   if (first_column)
     panel.y.label = "view angle θ (degrees)";
   else
-    for (Tick& tick : panel.y.ticks)
+    for (draw::Tick& tick : panel.y.ticks)
       tick.label.clear();
   if (last_row)
     panel.x.label = "roughness";
   else
-    for (Tick& tick : panel.x.ticks)
+    for (draw::Tick& tick : panel.x.ticks)
       tick.label.clear();
   return panel;
 }
 
 // A map in its panel. Rows of a map begin at the normal, those of a picture on top.
-Status draw_map(Figure& figure, const Panel& panel, const fit::ErrorMap& map,
+Status draw_map(draw::Figure& figure, const draw::Panel& panel, const fit::ErrorMap& map,
                 const std::vector<double>& values, image::Colormap colors, double from, double to) {
   const std::size_t columns = map.columns(), rows = map.rows();
   std::vector<double> from_top;
   for (std::size_t row = rows; row-- > 0;)
     for (std::size_t column = 0; column < columns; ++column)
       from_top.push_back(values[row * columns + column]);
-  const image::Image picture = color_values(from_top, int(columns), int(rows), colors, from, to);
+  const image::Image picture =
+      draw::color_values(from_top, int(columns), int(rows), colors, from, to);
   if (Status ok = draw_picture(figure, panel.corner, panel.size, picture, false); !ok) return ok;
   draw_axes(figure, panel, false);
   return Success{};
 }
 
-void draw_note(Figure& figure, const Panel& panel, const std::string& note) {
-  draw_text(figure, panel.corner - Vec2d(0, 7), note, {11, Anchor::start, "soft", false, false, 0});
+void draw_note(draw::Figure& figure, const draw::Panel& panel, const std::string& note) {
+  draw_text(figure, panel.corner - Vec2d(0, 7), note,
+            {11, draw::Anchor::start, "soft", false, false, 0});
 }
 
-Status draw_row(Figure& figure, const ErrorFigureOptions& options,
+Status draw_row(draw::Figure& figure, const ErrorFigureOptions& options,
                 std::span<const fit::ErrorMap> maps, const fit::LobeErrorField& norm, double top,
                 bool last_row) {
   const NormText text = text_of(norm);
   draw_text(figure, Vec2d(k_left, top + 14), text.title,
-            {12.5, Anchor::start, "ink", true, false, 0});
+            {12.5, draw::Anchor::start, "ink", true, false, 0});
   std::vector<std::vector<double>> values;
   std::vector<double> all;
   for (const fit::ErrorMap& map : maps) {
@@ -176,7 +179,7 @@ Status draw_row(Figure& figure, const ErrorFigureOptions& options,
   const Vec2d side = side_of(maps.size()), bar(k_bar, side.y);
   Vec2d corner(k_left, top + k_row_head);
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    const Panel panel = panel_at(options, corner, i == 0, last_row);
+    const draw::Panel panel = panel_at(options, corner, i == 0, last_row);
     if (Status ok = draw_map(figure, panel, maps[i], values[i], image::Colormap::magma, 0, end);
         !ok)
       return ok;
@@ -187,7 +190,7 @@ Status draw_row(Figure& figure, const ErrorFigureOptions& options,
     corner.x += side.x + k_gap;
   }
   corner.x += k_bar_gap - k_gap;
-  Axis scale{text.unit, 0, end, false, {}};
+  draw::Axis scale{text.unit, 0, end, false, {}};
   if (Status ok = draw_color_bar(figure, corner, bar, image::Colormap::magma, scale);
       !ok || maps.size() < 2)
     return ok;
@@ -197,7 +200,7 @@ Status draw_row(Figure& figure, const ErrorFigureOptions& options,
     difference[i] -= values[0][i];
   const double reach = top_of(sizes(difference));
   corner.x += k_bar_room;
-  const Panel panel = panel_at(options, corner, false, last_row);
+  const draw::Panel panel = panel_at(options, corner, false, last_row);
   if (Status ok =
           draw_map(figure, panel, maps[0], difference, image::Colormap::blue_red, -reach, reach);
       !ok)
@@ -233,11 +236,11 @@ Result<std::vector<fit::ErrorMap>> measure_errors(const ErrorFigureOptions& opti
                            options.region.quadrature);
 }
 
-Result<Figure> make_error_figure(const ErrorFigureOptions& options) {
+Result<draw::Figure> make_error_figure(const ErrorFigureOptions& options) {
   const Result<std::vector<fit::ErrorMap>> maps = measure_errors(options);
   if (!maps) return maps.error();
   const bool two = maps->size() == 2;
-  Figure figure;
+  draw::Figure figure;
   figure.title = fmt::format("{}: error over roughness and view angle", options.brdf.name);
   const Vec2d side = side_of(maps->size());
   figure.width = k_left + side.x + k_bar_gap + k_bar_room;
@@ -247,12 +250,12 @@ Result<Figure> make_error_figure(const ErrorFigureOptions& options) {
   double x = k_left;
   for (const fit::MeasuredLobes& lobes : options.lobes) {
     draw_text(figure, Vec2d(x, 16), shortened(lobes.label, side.x, 12),
-              {12, Anchor::start, "ink", false, true, 0});
+              {12, draw::Anchor::start, "ink", false, true, 0});
     x += side.x + k_gap;
   }
   if (two)
     draw_text(figure, Vec2d(x - k_gap + k_bar_gap + k_bar_room, 16), "second − first",
-              {12, Anchor::start, "ink", false, true, 0});
+              {12, draw::Anchor::start, "ink", false, true, 0});
 
   double top = k_head;
   for (std::size_t i = 0; i < options.norms.size(); ++i) {

@@ -6,8 +6,8 @@
 
 #pragma once
 
+#include "openltc/draw/figure.h"
 #include "openltc/fit/error.h"
-#include "openltc/plot/figure.h"
 
 #include <string>
 #include <vector>
@@ -32,6 +32,6 @@ Result<std::vector<fit::ErrorMap>> measure_errors(const ErrorFigureOptions& opti
 
 /// A row for each norm, a column for each set of lobes; of two, a third column has the second's
 /// error less the first's. Mean and 95th percentile stand above each map. Fails as measure_errors.
-Result<Figure> make_error_figure(const ErrorFigureOptions& options);
+Result<draw::Figure> make_error_figure(const ErrorFigureOptions& options);
 
 } // namespace openltc::plot

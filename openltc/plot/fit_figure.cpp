@@ -3,7 +3,7 @@
 
 #include "openltc/plot/fit_figure.h"
 
-#include "openltc/plot/axes.h"
+#include "openltc/draw/axes.h"
 
 #include <fmt/format.h>
 
@@ -48,13 +48,13 @@ Status check(const FitFigureOptions& options) {
 }
 
 // The horizon, the mirror direction (a cross) and the view direction (a ring), cut at the window.
-void draw_marks(Figure& figure, const FitCell& cell, Vec2d corner, double side) {
+void draw_marks(draw::Figure& figure, const FitCell& cell, Vec2d corner, double side) {
   begin_clip(figure, corner, Vec2d(side, side));
   const double scale = side / (2 * cell.window.half);
   const Vec2d center = corner + Vec2d(side / 2 - cell.window.center_x * scale, side / 2);
   draw_circle(figure, center, scale, {.color = "soft", .width = 1});
   const double x = fit::mirror_in_disc(std::cos(cell.theta_degrees * f64::k_pi / 180)) * scale;
-  const Pen pen{.color = "#d04a02", .width = 1.1};
+  const draw::Pen pen{.color = "#d04a02", .width = 1.1};
   const Vec2d mirror = center + Vec2d(x, 0);
   draw_line(figure, mirror - Vec2d(4, 0), mirror + Vec2d(4, 0), pen);
   draw_line(figure, mirror - Vec2d(0, 4), mirror + Vec2d(0, 4), pen);
@@ -64,18 +64,17 @@ void draw_marks(Figure& figure, const FitCell& cell, Vec2d corner, double side) 
     draw_rectangle(figure, corner, Vec2d(side, side), {.color = "rule", .width = 0.8});
 }
 
-Status draw_disc(Figure& figure, const FitCell& cell, Vec2d corner, double side, int pixels,
+Status draw_disc(draw::Figure& figure, const FitCell& cell, Vec2d corner, double side, int pixels,
                  const std::vector<double>& values, image::Colormap map, double from) {
-  image::Image picture = color_values(values, pixels, pixels, map, from, 1);
-  if (Status ok =
-          draw_picture(figure, corner, Vec2d(side, side), image::reduce_colors(picture, 96));
+  image::Image picture = draw::color_values(values, pixels, pixels, map, from, 1);
+  if (Status ok = draw_picture(figure, corner, Vec2d(side, side), draw::reduce_colors(picture, 96));
       !ok)
     return ok;
   draw_marks(figure, cell, corner, side);
   return Success{};
 }
 
-Status draw_cell(Figure& figure, const FitCell& cell, Vec2d corner, double side, int pixels,
+Status draw_cell(draw::Figure& figure, const FitCell& cell, Vec2d corner, double side, int pixels,
                  bool linear, double reach) {
   std::vector<double> brdf, lobe, difference = relative_difference(cell);
   for (std::size_t i = 0; i < cell.brdf.size(); ++i) {
@@ -106,7 +105,7 @@ Status draw_cell(Figure& figure, const FitCell& cell, Vec2d corner, double side,
 
 } // namespace
 
-Result<Figure> make_fit_figure(const FitFigureOptions& options) {
+Result<draw::Figure> make_fit_figure(const FitFigureOptions& options) {
   if (Status ok = check(options); !ok) return ok.error();
   const std::size_t columns = options.roughness.size(), rows = options.theta_degrees.size();
   const double side = columns <= 1 ? 200 : columns <= 2 ? 130 : 88;
@@ -122,7 +121,7 @@ Result<Figure> make_fit_figure(const FitFigureOptions& options) {
       reach = std::max(reach, std::abs(d));
   reach = std::ceil(reach * 20 - 1e-9) / 20;
 
-  Figure figure;
+  draw::Figure figure;
   figure.title =
       fmt::format("{}: the BRDF's lobe, the fitted one, and their difference", options.brdf.name);
   const double cell_width = 3 * side + 2 * k_gap, cell_height = k_note + side;
@@ -133,11 +132,11 @@ Result<Figure> make_fit_figure(const FitFigureOptions& options) {
     if (options.brdf.has_parameter())
       draw_text(figure, Vec2d(x + cell_width / 2, 14),
                 fmt::format("roughness {:g}", options.roughness[column]),
-                {.size = 13, .anchor = Anchor::middle, .bold = true});
+                {.size = 13, .anchor = draw::Anchor::middle, .bold = true});
     const char* names[] = {"ρ/E", "D", "D − ρ/E"};
     for (int k = 0; k < 3; ++k)
       draw_text(figure, Vec2d(x + side / 2 + k * (side + k_gap), 33), names[k],
-                {.size = 12, .anchor = Anchor::middle, .color = "soft", .italic = true});
+                {.size = 12, .anchor = draw::Anchor::middle, .color = "soft", .italic = true});
   }
   for (std::size_t row = 0; row < rows; ++row) {
     const double y = k_head + double(row) * (cell_height + k_row_gap);
@@ -153,8 +152,8 @@ Result<Figure> make_fit_figure(const FitFigureOptions& options) {
   }
   const double y = k_head + double(rows) * (cell_height + k_row_gap) + 10;
   const double bar_width = std::min(220.0, figure.width / 2 - k_left);
-  Axis lobes{"density (share of the brightest point of ρ/E)", 0, 1, false, {}};
-  Axis differences{"difference (share of the same)", -1, 1, false, {}};
+  draw::Axis lobes{"density (share of the brightest point of ρ/E)", 0, 1, false, {}};
+  draw::Axis differences{"difference (share of the same)", -1, 1, false, {}};
   if (options.linear) {
     differences.ticks = {
         {-1, fmt::format("−{:g}", reach)}, {0, "0"}, {1, fmt::format("{:g}", reach)}};

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "openltc/plot/figure.h"
+#include "openltc/draw/figure.h"
 #include "openltc/plot/fit_cells.h"
 
 #include <string>
@@ -25,6 +25,6 @@ struct FitFigureOptions {
 
 /// One cell each, with TV, L2 and peak error as the report of `openltc fit` has them. Fails for
 /// axes out of range or too long, and as make_fit_cells does.
-Result<Figure> make_fit_figure(const FitFigureOptions& options);
+Result<draw::Figure> make_fit_figure(const FitFigureOptions& options);
 
 } // namespace openltc::plot

@@ -3,7 +3,7 @@
 
 #include "openltc/plot/lobes_figure.h"
 
-#include "openltc/plot/axes.h"
+#include "openltc/draw/axes.h"
 #include "openltc/plot/lobe_panel.h"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ std::string head_of(const std::vector<LobeRow>& rows, std::size_t row) {
   return rows.size() > 1 ? fmt::format("({}) {}", char('a' + row), title) : title;
 }
 
-Status draw_cell(Figure& figure, Vec2d corner, const LobeCell& cell, bool label_axes) {
+Status draw_cell(draw::Figure& figure, Vec2d corner, const LobeCell& cell, bool label_axes) {
   if (Status status = check_matrix(cell.matrix, cell.caption); !status) return status;
   const LobeFacts facts = lobe_facts(lobe_of_matrix(cell.matrix));
   if (!(std::abs(facts.integral - 1) < 5e-7))
@@ -52,8 +52,9 @@ Status draw_cell(Figure& figure, Vec2d corner, const LobeCell& cell, bool label_
   const double x = corner.x + 108;
   double y = corner.y + k_lobe_panel_height + 10;
   const auto print = [&](const std::string& text, bool head) {
-    draw_text(figure, {x, y}, text,
-              {head ? 12.5 : 10.5, Anchor::middle, head ? "ink" : "soft", false, false, 0, true});
+    draw_text(
+        figure, {x, y}, text,
+        {head ? 12.5 : 10.5, draw::Anchor::middle, head ? "ink" : "soft", false, false, 0, true});
     y += k_line;
   };
   print(cell.caption, true);
@@ -65,26 +66,26 @@ Status draw_cell(Figure& figure, Vec2d corner, const LobeCell& cell, bool label_
   return Success{};
 }
 
-const Type k_note = {11, Anchor::start, "soft", false, false, 0, true};
+const draw::Type k_note = {11, draw::Anchor::start, "soft", false, false, 0, true};
 
-void draw_line_sign(Figure& figure, Vec2d at, const Pen& pen, const std::string& text) {
+void draw_line_sign(draw::Figure& figure, Vec2d at, const draw::Pen& pen, const std::string& text) {
   draw_line(figure, {at.x, at.y - 4}, {at.x + 24, at.y - 4}, pen);
   draw_text(figure, {at.x + 31, at.y}, text, k_note);
 }
 
-Status draw_key(Figure& figure, Vec2d at) {
+Status draw_key(draw::Figure& figure, Vec2d at) {
   const double x = at.x, y = at.y;
   draw_text(
       figure, at,
       "*D*(ω) = *D*_{o}(o / ‖o‖) |det *M*⁻¹| / ‖o‖³,   o = *M*⁻¹ω,   *D*_{o}(ω) = max(0, z) / π",
-      {13, Anchor::start, "ink", false, false, 0, true});
+      {13, draw::Anchor::start, "ink", false, false, 0, true});
   draw_text(
       figure, {x, y + 21},
       "Left: the sphere of directions, coloured by *D*. Right: the lobe, at the distance *D*(ω) "
       "from the origin.",
       k_note);
   draw_text(figure, {x, y + 36}, "Both are relative to the lobe's own peak.", k_note);
-  const Axis shares{
+  const draw::Axis shares{
       "", 0, 1, false, {{0, "0"}, {0.25, "0.25"}, {0.5, "0.5"}, {0.75, "0.75"}, {1, "1"}}};
   if (Status status =
           draw_color_bar(figure, {x, y + 54}, {230, 9}, image::Colormap::viridis, shares);
@@ -103,7 +104,7 @@ Status draw_key(Figure& figure, Vec2d at) {
 
 } // namespace
 
-Result<Figure> make_lobes_figure(const LobesOptions& options) {
+Result<draw::Figure> make_lobes_figure(const LobesOptions& options) {
   std::vector<LobeRow> rows = options.rows;
   if (rows.empty())
     for (const StandardRow row :
@@ -122,7 +123,7 @@ Result<Figure> make_lobes_figure(const LobesOptions& options) {
         fmt::format("{} lobes are too many for a figure; {} at most", count, k_most_lobes)};
 
   const bool beside = key_fits_beside(rows);
-  Figure figure;
+  draw::Figure figure;
   figure.title = "Lobes that a matrix M makes of a clamped cosine";
   figure.caption =
       "Linearly transformed cosines for M = [[a, 0, b], [0, c, 0], [d, 0, 1]]; ∫ D dω over the "
@@ -136,13 +137,13 @@ Result<Figure> make_lobes_figure(const LobesOptions& options) {
   // Notes stand behind the longest title, one below the other.
   double indent = 0;
   for (std::size_t r = 0; r < rows.size(); ++r)
-    indent = std::max(indent, 1.1 * text_width(head_of(rows, r), k_head_size) + 14);
+    indent = std::max(indent, 1.1 * draw::text_width(head_of(rows, r), k_head_size) + 14);
   double y = k_top;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const LobeRow& row = rows[r];
     const std::string head = head_of(rows, r);
-    draw_text(figure, {0, y + 12}, head, {k_head_size, Anchor::start, "ink", true});
-    draw_text(figure, {indent, y + 12}, row.note, {12, Anchor::start, "soft"});
+    draw_text(figure, {0, y + 12}, head, {k_head_size, draw::Anchor::start, "ink", true});
+    draw_text(figure, {indent, y + 12}, row.note, {12, draw::Anchor::start, "soft"});
     y += k_row_head;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Vec2d corner(double(i % k_columns) * k_lobe_panel_width,

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
-#include "openltc/plot/figure.h"
+#include "openltc/draw/figure.h"
 #include "openltc/plot/lobe_rows.h"
 
 #include <string>
@@ -28,6 +28,6 @@ inline constexpr std::size_t k_most_lobes = 64; ///< in all rows together
 /// det M, the peak and the integral of D, by quadrature, below. Fails for a row without lobes, for
 /// too many of either, for a matrix that makes no lobe, and when an integral is not 1 to six
 /// digits.
-Result<Figure> make_lobes_figure(const LobesOptions& options);
+Result<draw::Figure> make_lobes_figure(const LobesOptions& options);
 
 } // namespace openltc::plot

@@ -44,9 +44,9 @@ std::string intensity_label(double value) {
   return value >= 1e5 ? fmt::format("{:.4g}k", value / 1000) : fmt::format("{:.6g}", value);
 }
 
-void draw_web(Figure& figure, const Diagram& diagram, const std::vector<double>& rings,
+void draw_web(draw::Figure& figure, const Diagram& diagram, const std::vector<double>& rings,
               const std::string& unit) {
-  const Pen rule{.color = "rule"};
+  const draw::Pen rule{.color = "rule"};
   const double reach = diagram.is_whole ? 180 : 90;
   for (const double ring : rings) {
     std::vector<Vec2d> arc;
@@ -63,9 +63,9 @@ void draw_web(Figure& figure, const Diagram& diagram, const std::vector<double>&
     if (std::abs(std::remainder(a, 30)) > 1e-9) continue;
     const double room = k_radius + 12, r = radians(a);
     const Vec2d at = diagram.center + Vec2d(room * std::sin(r), room * std::cos(r));
-    const Anchor anchor = std::abs(std::sin(r)) < 0.01 ? Anchor::middle
-                          : a > 0                      ? Anchor::start
-                                                       : Anchor::end;
+    const draw::Anchor anchor = std::abs(std::sin(r)) < 0.01 ? draw::Anchor::middle
+                                : a > 0                      ? draw::Anchor::start
+                                                             : draw::Anchor::end;
     draw_text(figure, at + Vec2d(0, 4), fmt::format("{:g}°", std::abs(a)),
               {k_label, anchor, "soft"});
   }
@@ -76,18 +76,18 @@ void draw_web(Figure& figure, const Diagram& diagram, const std::vector<double>&
     if (diagram.is_whole) {
       const Vec2d at = place_at(diagram, 180, ring) + Vec2d(5, 13);
       if (ring != rings.back())
-        draw_rectangle(figure, at - Vec2d(2, 10), Vec2d(text_width(text, k_label) + 4, 13),
+        draw_rectangle(figure, at - Vec2d(2, 10), Vec2d(draw::text_width(text, k_label) + 4, 13),
                        {.color = "none", .fill = "paper", .fill_opacity = 0.8});
-      draw_text(figure, at, text, {k_label, Anchor::start, "soft"});
+      draw_text(figure, at, text, {k_label, draw::Anchor::start, "soft"});
     } else {
       const bool is_last = ring == rings.back();
       draw_text(figure, place_at(diagram, 90, ring) - Vec2d(0, 8), text,
-                {k_label, is_last ? Anchor::start : Anchor::middle, "soft"});
+                {k_label, is_last ? draw::Anchor::start : draw::Anchor::middle, "soft"});
     }
   }
 }
 
-void draw_curve(Figure& figure, const Diagram& diagram, const std::vector<PlanePoint>& curve,
+void draw_curve(draw::Figure& figure, const Diagram& diagram, const std::vector<PlanePoint>& curve,
                 double factor, int series) {
   std::vector<Vec2d> points;
   for (const PlanePoint& p : curve) {
@@ -163,7 +163,7 @@ std::vector<double> rings_of(double peak) {
   return rings;
 }
 
-Result<Figure> make_photometry_figure(const PhotometryOptions& options) {
+Result<draw::Figure> make_photometry_figure(const PhotometryOptions& options) {
   const light::IesProfile& profile = options.profile;
   if (options.per_kilolumen && !(profile.flux_lumens > 0))
     return Error{profile.name + ": has no flux that intensities could be a share of"};
@@ -182,7 +182,7 @@ Result<Figure> make_photometry_figure(const PhotometryOptions& options) {
   const std::vector<double> rings =
       rings_of(factor * (largest > 0 ? largest : profile.max_candela));
 
-  Figure figure;
+  draw::Figure figure;
   figure.title = profile.name;
   Diagram diagram;
   diagram.is_whole = largest_up > k_dark * profile.max_candela;
@@ -196,7 +196,7 @@ Result<Figure> make_photometry_figure(const PhotometryOptions& options) {
 
   const double left = 2 * (k_side + k_radius) + k_gap;
   double y = top + 4;
-  const auto legend = [&](const char* text, const Pen& pen) {
+  const auto legend = [&](const char* text, const draw::Pen& pen) {
     draw_line(figure, Vec2d(left, y - 4), Vec2d(left + 30, y - 4), pen);
     draw_text(figure, Vec2d(left + 38, y), text, {12});
     y += 19;
@@ -211,7 +211,7 @@ Result<Figure> make_photometry_figure(const PhotometryOptions& options) {
            {.color = "series1", .width = 2.2, .dash = "7 4"});
   y += 14;
   for (const Fact& fact : facts_of(options, summary)) {
-    draw_text(figure, Vec2d(left, y), fact.what, {12, Anchor::start, "soft"});
+    draw_text(figure, Vec2d(left, y), fact.what, {12, draw::Anchor::start, "soft"});
     draw_text(figure, Vec2d(left + 96, y), fact.value, {12});
     y += 19;
   }

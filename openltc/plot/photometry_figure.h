@@ -7,8 +7,8 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/draw/figure.h"
 #include "openltc/light/ies.h"
-#include "openltc/plot/figure.h"
 
 #include <string>
 #include <vector>
@@ -26,6 +26,6 @@ std::vector<double> rings_of(double peak);
 
 /// The diagram, and the luminaire's numbers beside it. Fails when the profile has no flux and
 /// per_kilolumen asks for a share of it.
-Result<Figure> make_photometry_figure(const PhotometryOptions& options);
+Result<draw::Figure> make_photometry_figure(const PhotometryOptions& options);
 
 } // namespace openltc::plot

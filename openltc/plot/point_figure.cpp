@@ -3,8 +3,8 @@
 
 #include "openltc/plot/point_figure.h"
 
+#include "openltc/draw/axes.h"
 #include "openltc/image/tonemap.h"
-#include "openltc/plot/axes.h"
 
 #include <fmt/format.h>
 
@@ -64,8 +64,8 @@ double reach_of(std::span<const ScanPoint> scan, double brightest) {
   return 1;
 }
 
-Axis percent_axis(const std::string& label, double reach) {
-  Axis axis{label, -reach, reach, false, {}};
+draw::Axis percent_axis(const std::string& label, double reach) {
+  draw::Axis axis{label, -reach, reach, false, {}};
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0})
     axis.ticks.push_back({share * reach, share == 0 ? "0"
                                                     : fmt::format("{}{:g}", share < 0 ? "−" : "+",
@@ -73,15 +73,15 @@ Axis percent_axis(const std::string& label, double reach) {
   return axis;
 }
 
-void draw_scan_line(Figure& figure, Vec2d corner, Vec2d size, Scan scan) {
-  const Pen pen{.color = k_mark, .width = 1, .dash = "5 4"};
+void draw_scan_line(draw::Figure& figure, Vec2d corner, Vec2d size, Scan scan) {
+  const draw::Pen pen{.color = k_mark, .width = 1, .dash = "5 4"};
   if (scan == Scan::along)
     draw_line(figure, corner + Vec2d(size.x / 2, 0), corner + Vec2d(size.x / 2, size.y), pen);
   else
     draw_line(figure, corner + Vec2d(0, size.y / 2), corner + Vec2d(size.x, size.y / 2), pen);
 }
 
-Result<double> draw_row(Figure& figure, const PointFigureOptions& options,
+Result<double> draw_row(draw::Figure& figure, const PointFigureOptions& options,
                         const fit::LobeFunction& lobes, double roughness, double top) {
   const PointView view = frame_highlight(options.setup, roughness);
   const auto pictures = render_point(options.setup, view, roughness, options.source);
@@ -109,11 +109,11 @@ Result<double> draw_row(Figure& figure, const PointFigureOptions& options,
   for (int k = 0; k < 3; ++k) {
     draw_text(figure, corner - Vec2d(0, 7), names[k], {.size = 12, .color = "soft"});
     image::Image shown = k == 2
-                             ? color_values(difference, view.width, view.height,
-                                            image::Colormap::blue_red, -reach, reach)
+                             ? draw::color_values(difference, view.width, view.height,
+                                                  image::Colormap::blue_red, -reach, reach)
                              : image::to_display(k == 0 ? pictures->exact : pictures->ltc,
                                                  float(1.2 / brightest), image::Tonemap::neutral);
-    Status ok = k == 2 ? draw_picture(figure, corner, size, image::reduce_colors(shown, 128))
+    Status ok = k == 2 ? draw_picture(figure, corner, size, draw::reduce_colors(shown, 128))
                        : draw_picture(figure, corner, size, shown);
     if (!ok) return ok.error();
     draw_scan_line(figure, corner, size, options.scan);
@@ -125,7 +125,7 @@ Result<double> draw_row(Figure& figure, const PointFigureOptions& options,
       !ok)
     return ok.error();
 
-  Panel panel;
+  draw::Panel panel;
   panel.corner = Vec2d(k_left, top + k_head + size.y + k_plot_top);
   panel.size = Vec2d(2 * k_width + k_gap - 40, k_plot);
   panel.title = "";
@@ -137,13 +137,13 @@ Result<double> draw_row(Figure& figure, const PointFigureOptions& options,
              false,
              {}};
   panel.y = {"luminance (cd/m²)", 0, 1.05 * highest, false, {}};
-  Curve exact{"exact", {}, 0}, ltc{"LTC", {}, 1}, relative{"", {}, 2};
+  draw::Curve exact{"exact", {}, 0}, ltc{"LTC", {}, 1}, relative{"", {}, 2};
   for (const ScanPoint& p : scan) {
     exact.points.push_back(Vec2d(p.position_m, p.luminance.exact));
     ltc.points.push_back(Vec2d(p.position_m, p.luminance.ltc));
     relative.points.push_back(Vec2d(p.position_m, p.luminance.relative_difference()));
   }
-  const std::vector<Curve> curves = {exact, ltc};
+  const std::vector<draw::Curve> curves = {exact, ltc};
   draw_axes(figure, panel);
   draw_curves(figure, panel, curves);
   draw_legend(figure, panel.corner + Vec2d(panel.size.x - 90, 16), curves);
@@ -161,11 +161,11 @@ Result<double> draw_row(Figure& figure, const PointFigureOptions& options,
 
 } // namespace
 
-Result<Figure> make_point_figure(const PointFigureOptions& options) {
+Result<draw::Figure> make_point_figure(const PointFigureOptions& options) {
   if (Status ok = check(options); !ok) return ok.error();
   const fit::LobeFunction lobes =
       options.lobes ? options.lobes : fit::lobes_of(table::builtin_ggx_table());
-  Figure figure;
+  draw::Figure figure;
   const PointSetup& s = options.setup;
   figure.title = fmt::format("One point light at θ = {:g}°: the exact BRDF and the LTC's density",
                              s.theta_degrees);

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "openltc/plot/figure.h"
+#include "openltc/draw/figure.h"
 #include "openltc/plot/point_scene.h"
 
 #include <string>
@@ -26,6 +26,6 @@ struct PointFigureOptions {
 
 /// For each roughness three pictures and, below them, the scan. Fails for options out of range and
 /// as render_point does.
-Result<Figure> make_point_figure(const PointFigureOptions& options);
+Result<draw::Figure> make_point_figure(const PointFigureOptions& options);
 
 } // namespace openltc::plot

@@ -3,7 +3,7 @@
 
 #include "openltc/plot/polygon_figure.h"
 
-#include "openltc/plot/axes.h"
+#include "openltc/draw/axes.h"
 #include "openltc/plot/lobe_rows.h"
 #include "openltc/plot/polygon_panel.h"
 
@@ -21,13 +21,13 @@ namespace {
 constexpr double k_width = 904, k_height = 580, k_radius = 160, k_middle = 236;
 constexpr double k_left_center = 200, k_right_center = 704;
 
-Type marked(double size, Anchor anchor, const char* color, bool bold = false) {
+draw::Type marked(double size, draw::Anchor anchor, const char* color, bool bold = false) {
   return {size, anchor, color, bold, false, 0, true};
 }
 
-void draw_heads(Figure& figure, const std::string& lobe_name) {
-  draw_text(figure, {0, 9}, lobe_name, {12.5, Anchor::start, "soft"});
-  const Type head = marked(13.5, Anchor::middle, "ink", true);
+void draw_heads(draw::Figure& figure, const std::string& lobe_name) {
+  draw_text(figure, {0, 9}, lobe_name, {12.5, draw::Anchor::start, "soft"});
+  const draw::Type head = marked(13.5, draw::Anchor::middle, "ink", true);
   draw_text(figure, {k_left_center, 32}, "shading space: *D* over *P*", head);
   draw_text(figure, {k_right_center, 32}, "cosine space: *D*_{o} over *M*⁻¹*P*", head);
   const double x = 0.5 * (k_left_center + k_right_center);
@@ -35,7 +35,7 @@ void draw_heads(Figure& figure, const std::string& lobe_name) {
   const std::array arrow_head = {Vec2d(x + 29, k_middle), Vec2d(x + 18, k_middle - 4.5),
                                  Vec2d(x + 18, k_middle + 4.5)};
   draw_path(figure, arrow_head, filled("ink"), true);
-  draw_text(figure, {x, k_middle - 10}, "*M*⁻¹", marked(15, Anchor::middle, "ink"));
+  draw_text(figure, {x, k_middle - 10}, "*M*⁻¹", marked(15, draw::Anchor::middle, "ink"));
 }
 
 struct Results {
@@ -46,10 +46,10 @@ struct Results {
   const char* method;
 };
 
-Status draw_results(Figure& figure, const PolygonSpace& space, const Results& r) {
+Status draw_results(draw::Figure& figure, const PolygonSpace& space, const Results& r) {
   constexpr double k_bar = 200;
   const double y = k_middle + k_radius + 26;
-  const Axis densities{
+  const draw::Axis densities{
       "",
       0,
       r.peak,
@@ -59,10 +59,11 @@ Status draw_results(Figure& figure, const PolygonSpace& space, const Results& r)
                                      image::Colormap::viridis, densities);
       !status)
     return status;
-  draw_text(figure, {r.x + 0.5 * k_bar + 14, y + 9}, r.density, marked(11, Anchor::start, "soft"));
+  draw_text(figure, {r.x + 0.5 * k_bar + 14, y + 9}, r.density,
+            marked(11, draw::Anchor::start, "soft"));
   draw_text(figure, {r.x, y + 56}, fmt::format("{} = {:.7f}", r.integral, space.integral),
-            marked(17, Anchor::middle, "ink"));
-  const Type note = marked(12, Anchor::middle, "soft");
+            marked(17, draw::Anchor::middle, "ink"));
+  const draw::Type note = marked(12, draw::Anchor::middle, "soft");
   draw_text(figure, {r.x, y + 77}, r.method, note);
   const double count = double(space.samples.size());
   const double deviation = std::sqrt(space.integral * (1 - space.integral) / count);
@@ -73,11 +74,11 @@ Status draw_results(Figure& figure, const PolygonSpace& space, const Results& r)
   return Success{};
 }
 
-void draw_key(Figure& figure, double y) {
+void draw_key(draw::Figure& figure, double y) {
   const auto explain = [&](double x, const char* text) {
-    draw_text(figure, {x + 31, y}, text, marked(11, Anchor::start, "soft"));
+    draw_text(figure, {x + 31, y}, text, marked(11, draw::Anchor::start, "soft"));
   };
-  const auto line = [&](double x, const Pen& pen) {
+  const auto line = [&](double x, const draw::Pen& pen) {
     draw_line(figure, {x, y - 4}, {x + 24, y - 4}, pen);
   };
   line(12, {"ink", 1.3});
@@ -87,7 +88,7 @@ void draw_key(Figure& figure, double y) {
   line(312, {"#000000", 3.8, "", 0.6});
   line(312, {"#ffffff", 2.3});
   explain(312, "*P*, clipped to both");
-  Pen cut_off{"ink", 1.2, "5 3"};
+  draw::Pen cut_off{"ink", 1.2, "5 3"};
   cut_off.fill = k_hatch;
   draw_rectangle(figure, {482, y - 10}, {24, 12}, cut_off);
   explain(482, "what is cut off");
@@ -124,7 +125,7 @@ Result<std::vector<Vec3d>> parse_points(const std::string& text) {
   return corners;
 }
 
-Result<Figure> make_polygon_figure(const PolygonOptions& options) {
+Result<draw::Figure> make_polygon_figure(const PolygonOptions& options) {
   if (options.sampling.samples < 1 || options.sampling.samples > k_most_samples)
     return Error{
         fmt::format("--samples {}: must be 1 to {}", options.sampling.samples, k_most_samples)};
@@ -139,7 +140,7 @@ Result<Figure> make_polygon_figure(const PolygonOptions& options) {
     return Error{"a sample lies on the polygon's edge; take another --seed"};
   const LobeFacts facts = lobe_facts(options.lobe);
 
-  Figure figure;
+  draw::Figure figure;
   figure.title = "The integral over P under the lobe is that over M⁻¹P under the cosine";
   figure.caption = "Spheres of directions from outside. Samples of the lobe are carried "
                    "along by M⁻¹, "

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
-#include "openltc/plot/figure.h"
+#include "openltc/draw/figure.h"
 #include "openltc/plot/polygon_equivalence.h"
 
 #include <optional>
@@ -37,6 +37,6 @@ Result<std::vector<Vec3d>> parse_points(const std::string& text);
 /// Both spaces side by side, with both integrals and the samples that lie inside. Fails as
 /// compare_spaces does, with messages about "--points", and when the integrals differ by more than
 /// 1e-6 or the counts at all.
-Result<Figure> make_polygon_figure(const PolygonOptions& options);
+Result<draw::Figure> make_polygon_figure(const PolygonOptions& options);
 
 } // namespace openltc::plot

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/plot/figure.h"
-#include "openltc/plot/marked_text.h"
+#include "openltc/draw/figure.h"
+#include "openltc/draw/marked_text.h"
 #include "openltc/plot/polygon_figure.h"
 
 #include <doctest/doctest.h>
@@ -10,6 +10,7 @@
 #include <string>
 
 using namespace openltc;
+using namespace openltc::draw;
 using namespace openltc::plot;
 
 TEST_CASE("text is slanted, lowered and escaped as it is marked") {

@@ -5,14 +5,14 @@
 // The box with the longest side is cut rather than the fullest: every colour counts alike, so no
 // error is large. The cut is at the middle of that side.
 
-#include "openltc/image/palette.h"
+#include "openltc/draw/palette.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
 
-namespace openltc::image {
+namespace openltc::draw {
 
 namespace {
 
@@ -70,7 +70,7 @@ Color mean_color(const std::vector<ColorCount>& colors, const Box& box) {
 
 } // namespace
 
-PaletteImage reduce_colors(const Image& display, int colors) {
+PaletteImage reduce_colors(const image::Image& display, int colors) {
   std::map<Color, std::int64_t> counts; // in the order of the colours: the same on every machine
   for (int y = 0; y < display.height; ++y)
     for (int x = 0; x < display.width; ++x)
@@ -121,4 +121,4 @@ PaletteImage reduce_colors(const Image& display, int colors) {
   return result;
 }
 
-} // namespace openltc::image
+} // namespace openltc::draw

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace openltc::image {
+namespace openltc::draw {
 
 /// Up to 256 colours and which of them each pixel has.
 struct PaletteImage {
@@ -23,9 +23,9 @@ struct PaletteImage {
 
 /// 4 channels, display-encoded, to at most `colors` colours (2..256), chosen for the picture. What
 /// is wholly transparent is one of them; no dithering.
-PaletteImage reduce_colors(const Image& display, int colors = 256);
+PaletteImage reduce_colors(const image::Image& display, int colors = 256);
 
 /// The bytes of a PNG file with that palette: one byte a pixel before compression.
 Result<std::vector<std::uint8_t>> encode_png(const PaletteImage& picture);
 
-} // namespace openltc::image
+} // namespace openltc::draw

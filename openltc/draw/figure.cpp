@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/plot/figure.h"
+#include "openltc/draw/figure.h"
 
 #include "openltc/base/markup.h"
+#include "openltc/draw/marked_text.h"
 #include "openltc/image/file.h"
-#include "openltc/plot/marked_text.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace openltc::plot {
+namespace openltc::draw {
 
 namespace {
 
@@ -200,8 +200,8 @@ Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const image::Image
   return Success{};
 }
 
-Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const image::PaletteImage& display) {
-  const Result<std::vector<std::uint8_t>> png = image::encode_png(display);
+Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const PaletteImage& display) {
+  const Result<std::vector<std::uint8_t>> png = encode_png(display);
   if (!png) return png.error();
   draw_png(figure, corner, size, *png, true);
   return Success{};
@@ -255,4 +255,4 @@ std::string to_svg(const Figure& figure, Theme theme) {
   return svg + figure.body + "</g>\n</svg>\n";
 }
 
-} // namespace openltc::plot
+} // namespace openltc::draw

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/plot/axes.h"
+#include "openltc/draw/axes.h"
 
 #include "openltc/base/markup.h"
 
@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace openltc::plot {
+namespace openltc::draw {
 
 namespace {
 
@@ -197,4 +197,4 @@ Status draw_color_bar(Figure& figure, Vec2d corner, Vec2d size, image::Colormap 
   return Success{};
 }
 
-} // namespace openltc::plot
+} // namespace openltc::draw

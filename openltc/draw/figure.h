@@ -12,14 +12,14 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/draw/palette.h"
 #include "openltc/image/image.h"
-#include "openltc/image/palette.h"
 #include "openltc/target/vec.h"
 
 #include <span>
 #include <string>
 
-namespace openltc::plot {
+namespace openltc::draw {
 
 /// Whose colours: those of the reader's page (CSS prefers-color-scheme), or given ones.
 enum class Theme { automatic, light, dark };
@@ -75,7 +75,7 @@ Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const image::Image
                     bool smooth = true);
 
 /// The same of few colours: fewer bytes.
-Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const image::PaletteImage& display);
+Status draw_picture(Figure& figure, Vec2d corner, Vec2d size, const PaletteImage& display);
 
 /// Round dots, as wide as the pen.
 void draw_dots(Figure& figure, std::span<const Vec2d> places, const Pen& pen);
@@ -87,4 +87,4 @@ void end_clip(Figure& figure);
 /// The whole: title above, drawing, caption below. The same figure gives the same bytes.
 std::string to_svg(const Figure& figure, Theme theme);
 
-} // namespace openltc::plot
+} // namespace openltc::draw

@@ -5,11 +5,11 @@
 
 #pragma once
 
-#include "openltc/plot/figure.h"
+#include "openltc/draw/figure.h"
 
 #include <string>
 
-namespace openltc::plot {
+namespace openltc::draw {
 
 /// Whether a file with this extension can be written: ".svg", and ".png" where the build has
 /// librsvg. The error names what is there, or the missing package.
@@ -22,4 +22,4 @@ Status write_figure(const std::string& path, const Figure& figure, Theme theme, 
 /// The pixels of an SVG, display-encoded, 4 channels. Fails without librsvg.
 Result<image::Image> rasterise(const std::string& svg, double scale);
 
-} // namespace openltc::plot
+} // namespace openltc::draw

@@ -4,13 +4,13 @@
 // SVG 1.1 shifts the base line by dy, for all that follows; there is nothing to end it but the
 // opposite shift, which needs a character to stand on.
 
-#include "openltc/plot/marked_text.h"
+#include "openltc/draw/marked_text.h"
 
 #include "openltc/base/markup.h"
 
 #include <fmt/format.h>
 
-namespace openltc::plot {
+namespace openltc::draw {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::string marked_text(std::string_view text, double size) {
   return result;
 }
 
-} // namespace openltc::plot
+} // namespace openltc::draw

@@ -5,13 +5,13 @@
 
 #pragma once
 
+#include "openltc/draw/figure.h"
 #include "openltc/image/colormap.h"
-#include "openltc/plot/figure.h"
 
 #include <string>
 #include <vector>
 
-namespace openltc::plot {
+namespace openltc::draw {
 
 struct Tick {
   double value = 0;
@@ -69,4 +69,4 @@ image::Image color_values(std::span<const double> values, int columns, int rows,
 Status draw_color_bar(Figure& figure, Vec2d corner, Vec2d size, image::Colormap map,
                       const Axis& axis);
 
-} // namespace openltc::plot
+} // namespace openltc::draw

@@ -3,9 +3,9 @@
 //
 // Figures as files: both themes, escaped text, the same bytes, pictures that are not blank.
 
+#include "openltc/draw/axes.h"
+#include "openltc/draw/figure_file.h"
 #include "openltc/image/file.h"
-#include "openltc/plot/axes.h"
-#include "openltc/plot/output.h"
 
 #include <doctest/doctest.h>
 
@@ -13,11 +13,11 @@
 #include <filesystem>
 
 using namespace openltc;
-using plot::Axis;
-using plot::Curve;
-using plot::Figure;
-using plot::Panel;
-using plot::Theme;
+using draw::Axis;
+using draw::Curve;
+using draw::Figure;
+using draw::Panel;
+using draw::Theme;
 
 namespace {
 
@@ -74,15 +74,15 @@ TEST_CASE("a figure's text is text, escaped; its colours follow the reader's pag
 
 TEST_CASE("ticks are round, within the axis, and labelled") {
   for (const auto& [from, to] : {std::pair{0.0, 1.0}, {0.0, 90.0}, {-0.3, 0.3}, {3.0, 3.004}}) {
-    const std::vector<plot::Tick> ticks = ticks_of(Axis{"", from, to, false, {}});
+    const std::vector<draw::Tick> ticks = ticks_of(Axis{"", from, to, false, {}});
     CHECK(ticks.size() >= 3);
     CHECK(ticks.size() <= 9);
-    for (const plot::Tick& tick : ticks) {
+    for (const draw::Tick& tick : ticks) {
       CHECK(tick.value >= from - 1e-9);
       CHECK(tick.value <= to + 1e-9);
     }
   }
-  const std::vector<plot::Tick> powers = ticks_of(Axis{"", 1e-6, 1, true, {}});
+  const std::vector<draw::Tick> powers = ticks_of(Axis{"", 1e-6, 1, true, {}});
   CHECK(powers.front().label == "10⁻⁶");
   CHECK(share_along(Axis{"", 0.01, 100, true, {}}, 1) == doctest::Approx(0.5));
 }
@@ -98,7 +98,7 @@ TEST_CASE("figures are written as SVG and as PNG, light and dark; nothing else")
   REQUIRE_FALSE(other.ok());
   CHECK(other.error().message.find(".svg or .png") != std::string::npos);
   const Status written = write_figure(png, small_figure(), Theme::light, 1.5);
-  if (!plot::check_extension(png).ok()) {
+  if (!draw::check_extension(png).ok()) {
     CHECK_FALSE(written.ok()); // a build without librsvg says so
   } else {
     REQUIRE(written.ok());

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/plot/output.h"
+#include "openltc/draw/figure_file.h"
 
 #include "openltc/base/address_space.h"
 #include "openltc/base/atomic_file.h"
@@ -20,7 +20,7 @@
 #include <librsvg/rsvg.h>
 #endif
 
-namespace openltc::plot {
+namespace openltc::draw {
 
 namespace {
 
@@ -143,4 +143,4 @@ Result<image::Image> rasterise(const std::string&, double) { return Error{k_no_r
 
 #endif
 
-} // namespace openltc::plot
+} // namespace openltc::draw

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
+#include "openltc/draw/palette.h"
 #include "openltc/image/colormap.h"
-#include "openltc/image/palette.h"
 
 #include <doctest/doctest.h>
 
@@ -11,6 +11,7 @@
 #include <cstdlib>
 
 using namespace openltc;
+using namespace openltc::draw;
 using namespace openltc::image;
 
 namespace {

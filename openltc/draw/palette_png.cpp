@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/image/palette.h"
+#include "openltc/draw/palette.h"
 
 #include <fmt/format.h>
 #include <png.h>
 
-namespace openltc::image {
+namespace openltc::draw {
 
 Result<std::vector<std::uint8_t>> encode_png(const PaletteImage& picture) {
   png_image header{};
@@ -24,4 +24,4 @@ Result<std::vector<std::uint8_t>> encode_png(const PaletteImage& picture) {
   return bytes;
 }
 
-} // namespace openltc::image
+} // namespace openltc::draw
