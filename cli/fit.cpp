@@ -12,8 +12,8 @@
 #include "cli/process/standard_streams.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/brdf/choose.h"
-#include "openltc/fit/candidate_file.h"
 #include "openltc/fit/fit_job.h"
+#include "openltc/fit/report/candidate_file.h"
 
 #include <fmt/format.h>
 

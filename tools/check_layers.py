@@ -10,7 +10,7 @@
    meet only through a table. Nothing in openltc/ includes cli, tests or bench.
 2. Includes within the repository are written from its root.
 3. Embree, glTF, mesh codec and image file headers appear in .cpp files only. Exceptions are private
-   headers: render/embree.h and image/exr_input.h, which hide the difference between Embree 3 and 4
+   headers: render/embree.h and image/exr/exr_input.h, which hide the difference between Embree 3 and 4
    and between OpenEXR 2 and 3, and scene/gltf/file/tinygltf.h, which sets tinygltf up.
 4. Every source file begins with the two licence lines.
 5. The root CMakeLists.txt stays under 80 lines.
@@ -19,10 +19,13 @@
    that takes what a Result has not, as assert would.
 7. Threads are started by base/parallel.cpp alone, which nothing passes by: no other file of openltc/
    or cli/ includes oneTBB or starts threads.
+8. No folder of openltc/ or cli/ holds more than 30 files of its own: a wider one gets rooms. The
+   ones in k_wide_folders have not got theirs yet.
 
 Prints one line per breach, as file:line: what; exit code 1 if there is any.
 """
 
+import collections
 import os
 import re
 import sys
@@ -32,11 +35,13 @@ k_source_endings = (".h", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh
 k_source_names = ("CMakeLists.txt", "Makefile", "run")
 k_skipped_folders = {".git", "build", "out", "node_modules", "__pycache__"}
 k_root_list_lines = 80
+k_folder_files = 30
+k_wide_folders = {"openltc/render"}
 
 k_include = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 k_private_headers = re.compile(
     r"^(embree[34]?/|tiny_gltf|draco/|meshoptimizer|OpenEXR/|Imf|png\.h|jpeglib|stb_|stb/|librsvg/|webp/)")
-k_private_headers_allowed = {"openltc/render/embree.h", "openltc/image/exr_input.h",
+k_private_headers_allowed = {"openltc/render/embree.h", "openltc/image/exr/exr_input.h",
                              "openltc/scene/gltf/file/tinygltf.h"}
 
 
@@ -131,10 +136,20 @@ def check_library_include(path, form, header):
     return []
 
 
+def check_widths(paths):
+    """Breaches of rule 8 as (folder, 1, text)."""
+    counts = collections.Counter(os.path.dirname(path) for path in paths
+                                 if path.startswith(("openltc/", "cli/")))
+    return [(folder, 1, "%d files; a folder of more than %d gets rooms" % (count, k_folder_files))
+            for folder, count in sorted(counts.items())
+            if count > k_folder_files and folder not in k_wide_folders]
+
+
 def check(root):
     """All breaches as (path, line, text)."""
-    breaches = []
-    for path in find_sources(root):
+    paths = list(find_sources(root))
+    breaches = check_widths(paths)
+    for path in paths:
         with open(os.path.join(root, path), encoding="utf-8") as stream:
             lines = stream.read().splitlines()
         breaches += [(path, line, text) for line, text in check_licence(lines)]

@@ -6,7 +6,7 @@
 #include "cli/output_place.h"
 #include "cli/process/message.h"
 #include "openltc/base/atomic_file.h"
-#include "openltc/light/photometry.h"
+#include "openltc/light/photometry/photometry.h"
 
 #include <fmt/format.h>
 

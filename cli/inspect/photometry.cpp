@@ -3,10 +3,10 @@
 //
 // openltc inspect of a photometric file: what its luminaire gives, in the words of the trade.
 
-#include "openltc/light/photometry.h"
+#include "openltc/light/photometry/photometry.h"
 
 #include "cli/inspect/inspect.h"
-#include "openltc/light/photometry_summary.h"
+#include "openltc/light/photometry/photometry_summary.h"
 
 #include <fmt/format.h>
 

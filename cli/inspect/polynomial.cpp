@@ -3,7 +3,7 @@
 
 #include "cli/inspect/inspect.h"
 #include "openltc/base/quote.h"
-#include "openltc/fit/certificate.h"
+#include "openltc/fit/measure/certificate.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/table/polynomial_file.h"
 

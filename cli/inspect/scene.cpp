@@ -10,10 +10,10 @@
 #include "openltc/light/curved.h"
 #include "openltc/light/ellipse.h"
 #include "openltc/light/emission_stack.h"
-#include "openltc/light/ies.h"
 #include "openltc/light/line.h"
+#include "openltc/light/photometry/ies.h"
 #include "openltc/light/polygon.h"
-#include "openltc/light/units.h"
+#include "openltc/light/units/units.h"
 #include "openltc/scene/gltf.h"
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 
 #include "cli/inspect/inspect.h"
 #include "openltc/base/quote.h"
-#include "openltc/fit/error.h"
-#include "openltc/fit/identify.h"
+#include "openltc/fit/measure/error.h"
+#include "openltc/fit/measure/identify.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/shading_lobes.h"

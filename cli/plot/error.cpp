@@ -6,10 +6,10 @@
 #include "cli/fit_command.h"
 #include "cli/plot/plot.h"
 #include "cli/process/message.h"
-#include "openltc/fit/candidate_file.h"
-#include "openltc/fit/limit.h"
+#include "openltc/fit/measure/limit.h"
 #include "openltc/fit/polynomial_fit.h"
-#include "openltc/plot/error_figure.h"
+#include "openltc/fit/report/candidate_file.h"
+#include "openltc/plot/figures/error_figure.h"
 #include "openltc/table/lobe_polynomial.h"
 
 #include <fmt/format.h>

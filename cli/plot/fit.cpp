@@ -7,8 +7,8 @@
 #include "cli/fit_command.h"
 #include "cli/plot/plot.h"
 #include "cli/process/message.h"
-#include "openltc/fit/candidate_file.h"
-#include "openltc/plot/fit_figure.h"
+#include "openltc/fit/report/candidate_file.h"
+#include "openltc/plot/figures/fit_figure.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // openltc plot literal: the source document's formulas beside the corrected ones.
 
 #include "cli/plot/plot.h"
-#include "openltc/plot/literal_figure.h"
+#include "openltc/plot/figures/literal_figure.h"
 
 #include <memory>
 

@@ -6,7 +6,7 @@
 #include "cli/fit_command.h"
 #include "cli/options/choice.h"
 #include "cli/plot/plot.h"
-#include "openltc/plot/lobes_figure.h"
+#include "openltc/plot/figures/lobes_figure.h"
 
 #include <fmt/format.h>
 

@@ -3,12 +3,12 @@
 //
 // openltc plot photometry: the polar diagram of a luminaire.
 
-#include "openltc/light/photometry.h"
+#include "openltc/light/photometry/photometry.h"
 
 #include "cli/fit_command.h"
 #include "cli/plot/plot.h"
 #include "cli/process/message.h"
-#include "openltc/plot/photometry_figure.h"
+#include "openltc/plot/figures/photometry_figure.h"
 
 #include <fmt/format.h>
 

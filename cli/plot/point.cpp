@@ -9,7 +9,7 @@
 #include "cli/plot/plot.h"
 #include "cli/process/message.h"
 #include "openltc/fit/polynomial_fit.h"
-#include "openltc/plot/point_figure.h"
+#include "openltc/plot/figures/point_figure.h"
 #include "openltc/table/shading_lobes.h"
 
 #include <fmt/format.h>

@@ -5,8 +5,8 @@
 
 #include "cli/fit_command.h"
 #include "cli/plot/plot.h"
+#include "openltc/plot/figures/polygon_figure.h"
 #include "openltc/plot/lobe_rows.h"
-#include "openltc/plot/polygon_figure.h"
 
 #include <fmt/format.h>
 

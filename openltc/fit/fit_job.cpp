@@ -3,7 +3,7 @@
 
 #include "openltc/fit/fit_job.h"
 
-#include "openltc/fit/limit.h"
+#include "openltc/fit/measure/limit.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"

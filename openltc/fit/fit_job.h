@@ -9,7 +9,7 @@
 #include "openltc/base/progress.h"
 #include "openltc/base/result.h"
 #include "openltc/brdf/brdf.h"
-#include "openltc/fit/report.h"
+#include "openltc/fit/report/report.h"
 #include "openltc/fit/table_fit.h"
 #include "openltc/table/layout.h"
 #include "openltc/table/lobe_polynomial.h"

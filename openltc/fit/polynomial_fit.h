@@ -8,8 +8,8 @@
 #include "openltc/base/progress.h"
 #include "openltc/base/result.h"
 #include "openltc/brdf/brdf.h"
-#include "openltc/fit/certificate.h"
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/certificate.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/fit/objective.h"
 #include "openltc/table/lobe_polynomial.h"
 

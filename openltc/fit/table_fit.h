@@ -8,8 +8,8 @@
 #include "openltc/base/progress.h"
 #include "openltc/base/result.h"
 #include "openltc/brdf/brdf.h"
-#include "openltc/fit/error.h"
 #include "openltc/fit/lobe_fit.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/table/lobe_table.h"
 
 #include <optional>

@@ -4,7 +4,7 @@
 // Whole tables: the built-in comes from this fitter, its errors are as stated, threads do not
 // matter.
 
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/fit/table_fit.h"
 #include "openltc/table/polynomial_file.h"

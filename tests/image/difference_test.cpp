@@ -3,7 +3,7 @@
 
 // Colour scales, the font, and the difference picture made of them.
 
-#include "openltc/image/difference.h"
+#include "openltc/image/compare/difference.h"
 #include "openltc/image/file.h"
 #include "openltc/image/font.h"
 #include "openltc/image/tonemap.h"

@@ -3,7 +3,7 @@
 
 // FLIP agrees with its authors' own program, and has the properties that its paper promises.
 
-#include "openltc/image/flip.h"
+#include "openltc/image/compare/flip.h"
 #include "tests/image/flip_pairs.h"
 #include "tests/image/flip_reference.h"
 #include "tests/image/make_picture.h"

@@ -3,7 +3,7 @@
 
 #include "openltc/draw/figure.h"
 #include "openltc/draw/marked_text.h"
-#include "openltc/plot/polygon_figure.h"
+#include "openltc/plot/figures/polygon_figure.h"
 
 #include <doctest/doctest.h>
 

@@ -3,8 +3,8 @@
 
 // The polar diagram: its circles hold the peak, and it is whole where there is light above.
 
-#include "openltc/light/photometry.h"
-#include "openltc/plot/photometry_figure.h"
+#include "openltc/light/photometry/photometry.h"
+#include "openltc/plot/figures/photometry_figure.h"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 // The numbers of the figure of literal formulas: those that the documentation states, and bounds
 // that hold for the corrected formulas alone.
 
-#include "openltc/plot/literal_figure.h"
+#include "openltc/plot/figures/literal_figure.h"
 #include "openltc/plot/literal_formulas.h"
 #include "openltc/table/lobe_table.h"
 

@@ -4,7 +4,7 @@
 // EXT_lights_ies, read as its specification says and written by export.
 
 #include "gltf_builder.h"
-#include "openltc/light/ies.h"
+#include "openltc/light/photometry/ies.h"
 #include "openltc/scene/gltf/export.h"
 #include "tests/image/make_picture.h"
 

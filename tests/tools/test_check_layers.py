@@ -72,7 +72,7 @@ class Layers(unittest.TestCase):
             self.assert_breach("openltc/render/a.h", "#include <%s>\n" % header, ".cpp")
             self.assert_clean("openltc/render/a.cpp", "#include <%s>\n" % header)
         self.assert_clean("openltc/render/embree.h", "#include <embree4/rtcore.h>\n")
-        self.assert_clean("openltc/image/exr_input.h", "#include <ImfIO.h>\n")
+        self.assert_clean("openltc/image/exr/exr_input.h", "#include <ImfIO.h>\n")
         self.assert_clean("openltc/scene/gltf/file/tinygltf.h", "#include <tiny_gltf.h>\n")
 
     def test_library_is_silent(self):
@@ -95,6 +95,15 @@ class Layers(unittest.TestCase):
             self.assert_clean("openltc/base/parallel.cpp", line + "\n")
         self.assert_clean("openltc/fit/a.cpp", "// as tbb::parallel_for\n"
                           "int n = std::thread::hardware_concurrency();\n")
+
+    def test_folders_are_narrow(self):
+        def folder_of(count):
+            return {"openltc/base/a%d.h" % i: "" for i in range(count)}
+        self.assertEqual(check_tree(folder_of(30)), [])
+        self.assertIn("31 files", check_tree(folder_of(31))[0][2])
+        rooms = folder_of(30)
+        rooms["openltc/base/room/a.h"] = ""
+        self.assertEqual(check_tree(rooms), [])
 
     def test_every_file_names_its_licence(self):
         for path in ("openltc/base/a.h", "tools/a.py", "cmake/a.cmake", "tests/shaders/a.frag"):

@@ -10,7 +10,7 @@
 #include "openltc/scene/gltf/export.h"
 
 #include "openltc/light/light_list.h"
-#include "openltc/light/photometry.h"
+#include "openltc/light/photometry/photometry.h"
 #include "openltc/scene/area_light.h"
 #include "openltc/scene/gltf/file/container.h"
 #include "openltc/scene/gltf/file/uri.h"

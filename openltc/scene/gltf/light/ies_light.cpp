@@ -3,7 +3,7 @@
 
 #include "openltc/scene/gltf/light/ies_light.h"
 
-#include "openltc/light/photometry.h"
+#include "openltc/light/photometry/photometry.h"
 #include "openltc/scene/gltf/file/document.h"
 #include "openltc/scene/gltf/file/failure.h"
 #include "openltc/scene/gltf/file/uri.h"

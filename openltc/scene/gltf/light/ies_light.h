@@ -9,8 +9,8 @@
 #pragma once
 
 #include "openltc/base/result.h"
-#include "openltc/light/ies.h"
 #include "openltc/light/light.h"
+#include "openltc/light/photometry/ies.h"
 #include "openltc/scene/transform.h"
 #include "openltc/scene/warnings.h"
 
