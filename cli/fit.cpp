@@ -178,46 +178,42 @@ int run_fit(const FitArguments& arguments) {
   return k_exit_ok;
 }
 
-} // namespace
+constexpr const char* k_fit_footer =
+    "For every roughness and view angle the linearly transformed cosine is found that comes\n"
+    "closest to the BRDF. Objectives: balanced, better than the published table in every norm\n"
+    "at once, in the mean; tv, least total variation; l2 and l3, least relative squares or\n"
+    "cubes, which hold on to the peak. The error is measured between the nodes, through the\n"
+    "look-up of the layout and in the precision that is written. Total variation (TV) is a "
+    "bound: for\n"
+    "F = 1 no light of radiance up to L_max errs by more than (E TV + |n1 - E|) L_max, E the\n"
+    "albedo and n1 what is stored for it.\n"
+    "\n"
+    "Layouts: native, for this project's shading (low roughness and small tables stay good);\n"
+    "ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP); godot; o3de.\n"
+    "A form without a table: polynomials, whose lobes are proven never to turn inside out.\n"
+    "\n"
+    "Examples:\n"
+    "  openltc fit                                        GGX, errors only\n"
+    "  openltc fit --list                                 the BRDFs\n"
+    "  openltc fit --brdf charlie --size 32 -o sheen.json\n"
+    "  openltc fit --layout ltc_code -o ggx.dds           writes ggx_1.dds and ggx_2.dds\n"
+    "  openltc fit --form polynomial -o lobes.glsl        a function to paste\n"
+    "  openltc fit --report ggx.html --against ltc_1.dds  a page of figures and heat maps\n"
+    "  openltc fit --brdf gold-paint.binary -o gold.json  a measured material";
 
-void add_fit(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<FitArguments>();
-  fit::FitRequest& c = arguments->request;
-  CLI::App* command =
-      app.add_subcommand("fit", "Fit lobes to a BRDF, as a table or a polynomial, and report how "
-                                "far they are from it");
-  command->footer(
-      "For every roughness and view angle the linearly transformed cosine is found that comes\n"
-      "closest to the BRDF. Objectives: balanced, better than the published table in every norm\n"
-      "at once, in the mean; tv, least total variation; l2 and l3, least relative squares or\n"
-      "cubes, which hold on to the peak. The error is measured between the nodes, through the\n"
-      "look-up of the layout and in the precision that is written. Total variation (TV) is a "
-      "bound: for\n"
-      "F = 1 no light of radiance up to L_max errs by more than (E TV + |n1 - E|) L_max, E the\n"
-      "albedo and n1 what is stored for it.\n"
-      "\n"
-      "Layouts: native, for this project's shading (low roughness and small tables stay good);\n"
-      "ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP); godot; o3de.\n"
-      "A form without a table: polynomials, whose lobes are proven never to turn inside out.\n"
-      "\n"
-      "Examples:\n"
-      "  openltc fit                                        GGX, errors only\n"
-      "  openltc fit --list                                 the BRDFs\n"
-      "  openltc fit --brdf charlie --size 32 -o sheen.json\n"
-      "  openltc fit --layout ltc_code -o ggx.dds           writes ggx_1.dds and ggx_2.dds\n"
-      "  openltc fit --form polynomial -o lobes.glsl        a function to paste\n"
-      "  openltc fit --report ggx.html --against ltc_1.dds  a page of figures and heat maps\n"
-      "  openltc fit --brdf gold-paint.binary -o gold.json  a measured material");
-  command
-      ->add_option("--brdf", arguments->brdf, "BRDF by name (--list), or a MERL file FILE.binary")
-      ->capture_default_str();
-  command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
-  auto* size = command->add_option("--size", c.size, "Nodes per axis of a table, 2 to 512")
+/// Options that are for one form of lobes alone.
+struct FormOptions {
+  std::vector<CLI::Option*> of_tables;
+  CLI::Option* of_polynomials = nullptr;
+};
+
+FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
+  auto* size = command.add_option("--size", c.size, "Nodes per axis of a table, 2 to 512")
                    ->transform(whole_number(2, 512))
                    ->capture_default_str();
   command
-      ->add_option("--objective", c.objective,
-                   "What the fit minimises: balanced, tv, l2, l3, or weights TV,L2,L3")
+      .add_option("--objective", c.objective,
+                  "What the fit minimises: balanced, tv, l2, l3, or weights TV,L2,L3")
       ->check(CLI::Validator(
           [](std::string& text) -> std::string {
             const Result<fit::Objective> found = fit::find_objective(text);
@@ -227,69 +223,95 @@ void add_fit(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   const Choices<table::LobeForm> forms = {{"table", table::LobeForm::table},
                                           {"polynomial", table::LobeForm::polynomial}};
-  command->add_option("--form", c.form, "Table, or polynomials instead of one [table]")
+  command.add_option("--form", c.form, "Table, or polynomials instead of one [table]")
       ->transform(one_of(forms))
       ->type_name(words_of(forms));
   auto* degree =
-      command->add_option("--degree", c.degree, "Total degree of the polynomials, 3 to 6")
+      command.add_option("--degree", c.degree, "Total degree of the polynomials, 3 to 6")
           ->transform(whole_number(table::LobePolynomial::k_min_degree,
                                    table::LobePolynomial::k_max_degree))
           ->capture_default_str();
   Choices<table::Layout> layouts;
   for (const table::Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);
-  auto* layout = command->add_option("--layout", c.layout, "Whose look-up reads the table [native]")
+  auto* layout = command.add_option("--layout", c.layout, "Whose look-up reads the table [native]")
                      ->transform(one_of(layouts))
                      ->type_name(words_of(layouts));
   const Choices<table::Precision> precisions = {
       {name_of(table::Precision::float32), table::Precision::float32},
       {name_of(table::Precision::float16), table::Precision::float16}};
-  auto* precision = command->add_option("--precision", c.precision, "Numbers of a table [float32]")
+  auto* precision = command.add_option("--precision", c.precision, "Numbers of a table [float32]")
                         ->transform(one_of(precisions))
                         ->type_name(words_of(precisions));
   const Choices<fit::Refine> refines = {
       {"auto", fit::Refine::automatic}, {"on", fit::Refine::on}, {"off", fit::Refine::off}};
   auto* refine =
       command
-          ->add_option(
-              "--refine", c.refine,
-              "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
-              "does so up to 32 nodes, and not for other layouts [auto]")
+          .add_option("--refine", c.refine,
+                      "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
+                      "does so up to 32 nodes, and not for other layouts [auto]")
           ->transform(one_of(refines))
           ->type_name(words_of(refines));
-  auto* clip_aware = command->add_flag(
+  auto* clip_aware = command.add_flag(
       "--clip-aware", c.clip_aware,
       "For layouts other than native: fit for a renderer that clips lights at the surface's "
       "horizon, amplitudes over the share of the lobe above it; the file says horizon divided");
+  return {{size, layout, precision, refine, clip_aware}, degree};
+}
+
+void add_file_options(CLI::App& command, FitArguments& arguments) {
   command
-      ->add_option("-o,--output", arguments->outputs,
-                   "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "
-                   ".hlsl .wgsl .js, or .cpp/.inc, C++ source of the built-in. May be repeated")
+      .add_option("-o,--output", arguments.outputs,
+                  "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "
+                  ".hlsl .wgsl .js, or .cpp/.inc, C++ source of the built-in. May be repeated")
       ->allow_extra_args(false);
   command
-      ->add_option("--report", arguments->reports,
-                   "Write the report to this .json or .html file. May be repeated")
+      .add_option("--report", arguments.reports,
+                  "Write the report to this .json or .html file. May be repeated")
       ->allow_extra_args(false);
   command
-      ->add_option("--against", arguments->against,
-                   "A table or polynomial to compare with: any file that this tool writes, or a "
-                   "bare published texture. May be repeated")
+      .add_option("--against", arguments.against,
+                  "A table or polynomial to compare with: any file that this tool writes, or a "
+                  "bare published texture. May be repeated")
       ->allow_extra_args(false);
-  command->add_flag("--quiet", arguments->quiet, "No progress and messages on stderr");
-  // What would be passed over in silence is wrong usage.
-  const std::vector<CLI::Option*> of_tables = {size, layout, precision, refine, clip_aware};
-  command->callback([arguments, degree, of_tables, &exit_code] {
-    const bool polynomial = arguments->request.form == table::LobeForm::polynomial;
-    const auto refuse = [&](const CLI::Option* option, const char* form, const char* not_form) {
-      exit_code = fail(
-          "fit", Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)},
-          k_exit_usage);
-    };
-    for (const CLI::Option* option : of_tables)
-      if (polynomial && option->count() > 0) return refuse(option, "tables", "--form polynomial");
-    if (!polynomial && degree->count() > 0) return refuse(degree, "--form polynomial", "tables");
-    arguments->request.tool_version = OPENLTC_VERSION;
-    arguments->request.command = command_of(arguments->brdf, arguments->request);
+  command.add_flag("--quiet", arguments.quiet, "No progress and messages on stderr");
+}
+
+/// What would be passed over in silence is wrong usage.
+Status check_form(const fit::FitRequest& request, const FormOptions& options) {
+  const bool polynomial = request.form == table::LobeForm::polynomial;
+  const auto refusal = [&](const CLI::Option* option, const char* form, const char* not_form) {
+    return Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)};
+  };
+  for (const CLI::Option* option : options.of_tables)
+    if (polynomial && option->count() > 0) return refusal(option, "tables", "--form polynomial");
+  if (!polynomial && options.of_polynomials->count() > 0)
+    return refusal(options.of_polynomials, "--form polynomial", "tables");
+  return Success{};
+}
+
+} // namespace
+
+void add_fit(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<FitArguments>();
+  CLI::App* command =
+      app.add_subcommand("fit", "Fit lobes to a BRDF, as a table or a polynomial, and report how "
+                                "far they are from it");
+  command->footer(k_fit_footer);
+  command
+      ->add_option("--brdf", arguments->brdf, "BRDF by name (--list), or a MERL file FILE.binary")
+      ->capture_default_str();
+  command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
+  const FormOptions form_options = add_request_options(*command, arguments->request);
+  add_file_options(*command, *arguments);
+  command->callback([arguments, form_options, &exit_code] {
+    fit::FitRequest& request = arguments->request;
+    if (Status status = check_form(request, form_options); !status) {
+      exit_code = fail("fit", status.error(), k_exit_usage);
+      return;
+    }
+    request.tool_version = OPENLTC_VERSION;
+    request.command = command_of(arguments->brdf, request);
     exit_code = run_fit(*arguments);
   });
 }
