@@ -311,7 +311,7 @@ void add_fit(CLI::App& app, int& exit_code) {
       return;
     }
     request.tool_version = OPENLTC_VERSION;
-    request.command = command_of(arguments->brdf, request);
+    request.command = fit_command_of(arguments->brdf, request);
     exit_code = run_fit(*arguments);
   });
 }

@@ -17,7 +17,7 @@ std::string shell_word(const std::string& path) {
   return quoted + "'";
 }
 
-std::string command_of(const std::string& brdf, const fit::FitRequest& c) {
+std::string fit_command_of(const std::string& brdf, const fit::FitRequest& c) {
   const fit::FitRequest standard;
   std::string command = fmt::format("openltc fit --brdf {}", shell_word(brdf));
   if (c.form == table::LobeForm::polynomial)

@@ -16,6 +16,6 @@ std::string shell_word(const std::string& path);
 
 /// The command line that makes the same again: all choices that are not defaults. `brdf` is a name
 /// or the path of a MERL file.
-std::string command_of(const std::string& brdf, const fit::FitRequest& request);
+std::string fit_command_of(const std::string& brdf, const fit::FitRequest& request);
 
 } // namespace openltc::cli

@@ -3,8 +3,8 @@
 //
 // openltc render: a picture of a glTF scene.
 
-#include "cli/camera_choice.h"
 #include "cli/commands.h"
+#include "cli/options/pose_options.h"
 #include "cli/output_place.h"
 #include "cli/picture_output.h"
 #include "cli/process/message.h"
@@ -13,6 +13,7 @@
 #include "cli/render_options.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/base/memory_budget.h"
+#include "openltc/render/camera_choice.h"
 
 #include <fmt/format.h>
 
@@ -167,8 +168,8 @@ Result<PreparedScene> prepare_scene(RenderJob& job) {
 
   const float wanted_aspect = float(options.width) / float(options.height);
   Result<scene::Camera> camera =
-      choose_camera(prepared.scene, arguments.camera, arguments.scene, wanted_aspect);
-  if (!camera) return camera.error();
+      render::choose_camera(prepared.scene, arguments.camera, wanted_aspect);
+  if (!camera) return wrong_camera(arguments.scene, arguments.camera, camera.error());
   prepared.camera = std::move(*camera);
   if (arguments.size.empty() && prepared.camera.aspect > 0)
     options.width =

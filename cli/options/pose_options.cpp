@@ -3,6 +3,8 @@
 
 #include "cli/options/pose_options.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -30,6 +32,11 @@ void add_pose_options(CLI::App& command, scene::PoseOptions& options) {
       .add_option("--animation", options.animation,
                   "Animation by name or number from 0; openltc inspect lists them [the first]")
       ->type_name("NAME|N");
+}
+
+Error wrong_camera(const std::string& file, const std::string& camera, const Error& error) {
+  if (camera.empty() || camera == "frame") return error; // the view failed, not the name
+  return Error{fmt::format("{}: --camera {}: {}", file, camera, error.message)};
 }
 
 } // namespace openltc::cli

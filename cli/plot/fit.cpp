@@ -67,7 +67,7 @@ Result<draw::Figure> make_figure(const FitPlotArguments& a) {
   }
   fit::FitRequest request;
   request.tool_version = OPENLTC_VERSION;
-  request.command = command_of(a.brdf, request);
+  request.command = fit_command_of(a.brdf, request);
   Result<fit::FittedLobes> made = fit::fit_lobes(*brdf, request);
   if (!made) return made.error();
   fitted = std::move(*made);

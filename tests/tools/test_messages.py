@@ -18,8 +18,8 @@ k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 k_commands = ["render", "compare", "fit", "convert", "inspect", "plot"]
 # Files of the tool that serve other commands than their name says.
 k_served = {
-    "camera_choice": ["render"], "picture_output": ["render"], "shape_options": ["render", "convert", "inspect"],
-    "main": k_commands,
+    "picture_output": ["render"], "shape_options": ["render", "convert", "inspect"],
+    "pose_options": ["render", "compare"], "main": k_commands,
 }
 k_option = re.compile(r"(?<![\w-])--[a-z][a-z-]*[a-z]")
 k_named = re.compile(r"(?<![\w-])openltc (%s)\b" % "|".join(k_commands))

@@ -35,6 +35,17 @@ void for_each_counted(const Image& a, const Image& b, std::span<const std::uint8
 
 } // namespace
 
+std::vector<std::uint8_t> mask_of(const Image& picture) {
+  std::vector<std::uint8_t> mask(picture.pixel_count());
+  std::size_t i = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x, ++i) {
+      const Vec3f v = picture.rgb(x, y);
+      mask[i] = v.x > 0.0f || v.y > 0.0f || v.z > 0.0f;
+    }
+  return mask;
+}
+
 Metrics compare(const Image& a, const Image& b, const MetricOptions& options) {
   assert(a.width == b.width && a.height == b.height && !a.empty());
   assert(options.mask.empty() || options.mask.size() == a.pixel_count());

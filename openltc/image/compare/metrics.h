@@ -15,8 +15,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace openltc::image {
+
+/// A mask made of a picture: a pixel counts, 1, where any of its channels is above 0.
+std::vector<std::uint8_t> mask_of(const Image& picture);
 
 struct MetricOptions {
   /// Added to b^2 in the relative MSE and to |b| in the mean relative error, in units of the

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "cli/camera_choice.h"
+#include "openltc/render/camera_choice.h"
 
 #include "openltc/base/quote.h"
 #include "openltc/render/view_choice.h"
@@ -11,12 +11,12 @@
 #include <algorithm>
 #include <charconv>
 
-namespace openltc::cli {
+namespace openltc::render {
 
 Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string& choice,
-                                    const std::string& file, float aspect) {
+                                    float aspect) {
   if (choice == "frame" || (choice.empty() && scene.cameras.empty()))
-    return render::choose_view(scene, aspect);
+    return choose_view(scene, aspect);
   if (choice.empty()) return scene.cameras[0];
   for (const scene::Camera& camera : scene.cameras)
     if (camera.name == choice) return camera;
@@ -30,7 +30,7 @@ Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string
     known += fmt::format(", {} \"{}\"", i, quote(scene.cameras[i].name));
   if (scene.cameras.size() > k_most_named)
     known += fmt::format(" and {} more", scene.cameras.size() - k_most_named);
-  return Error{fmt::format("{}: --camera {}: no such camera; there are {}", file, choice, known)};
+  return Error{"no such camera; there are " + known};
 }
 
-} // namespace openltc::cli
+} // namespace openltc::render
