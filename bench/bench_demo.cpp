@@ -4,7 +4,7 @@
 // The project's figures on its demo scene: time per frame, error against the reference, and how
 // long the reference takes to be as accurate.
 
-#include "openltc/image/metrics.h"
+#include "openltc/image/compare/metrics.h"
 #include "openltc/render/error_by_surface.h"
 #include "openltc/render/renderer.h"
 #include "openltc/scene/gltf.h"

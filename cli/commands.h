@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "cli/process/exit_code.h"
 #include "openltc/base/result.h"
 
 #include <CLI/CLI.hpp>
@@ -12,9 +13,6 @@
 #include <string>
 
 namespace openltc::cli {
-
-/// Exit codes of the tool.
-enum ExitCode { k_exit_ok = 0, k_exit_failed = 1, k_exit_usage = 2 };
 
 /// Prints "openltc COMMAND: message" to stderr and returns `code`.
 int fail(const std::string& command, const Error& error, ExitCode code = k_exit_failed);

@@ -3,20 +3,20 @@
 
 // openltc compare A B: how far picture A is from its reference B.
 
-#include "cli/camera_choice.h"
 #include "cli/commands.h"
 #include "cli/compare_input.h"
-#include "cli/convert_picture.h"
+#include "cli/convert/picture.h"
+#include "cli/options/pose_options.h"
+#include "cli/options/reading_options.h"
 #include "cli/output_place.h"
-#include "cli/pose_options.h"
-#include "cli/reading_options.h"
-#include "cli/standard_streams.h"
-#include "openltc/base/message.h"
-#include "openltc/image/difference.h"
+#include "cli/process/message.h"
+#include "cli/process/standard_streams.h"
+#include "openltc/image/compare/difference.h"
+#include "openltc/image/compare/flip_comparison.h"
+#include "openltc/image/compare/metrics.h"
 #include "openltc/image/file.h"
-#include "openltc/image/flip.h"
-#include "openltc/image/metrics.h"
 #include "openltc/image/tonemap.h"
+#include "openltc/render/camera_choice.h"
 #include "openltc/render/error_by_surface.h"
 #include "openltc/scene/gltf.h"
 
@@ -25,9 +25,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -104,88 +102,42 @@ std::string check_png(const std::string& text) {
   return end == ".png" ? "" : "the difference picture must be named .png, not '" + text + "'";
 }
 
-// A pixel counts where any channel of the mask is above 0.
-std::vector<std::uint8_t> mask_from(const Image& picture) {
-  std::vector<std::uint8_t> mask(picture.pixel_count());
-  std::size_t i = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x, ++i) {
-      const Vec3f v = picture.rgb(x, y);
-      mask[i] = v.x > 0.0f || v.y > 0.0f || v.z > 0.0f;
-    }
-  return mask;
-}
-
-constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
-
-bool is_finite(Vec3f v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
+/// What the user is told of FLIP.
 struct Flip {
-  Image map;        // NaN where a pixel is left out
-  std::string kind; // for the user; empty where the numbers are no colours, so that there is none
+  image::FlipComparison result;
+  std::string kind; ///< empty where the numbers are no colours, so that there is none
   nlohmann::ordered_json details;
-  double mean = 0.0, max = 0.0;
-  image::PixelPlace max_at;
 };
 
-// `hdr`: both hold scene-linear radiance.
+/// `hdr`: both hold scene-linear radiance.
 Flip compute_flip(const Options& options, bool hdr, const Image& a, const Image& b,
                   const std::vector<std::uint8_t>& mask) {
-  const image::FlipOptions flip_options{options.pixels_per_degree};
+  image::FlipComparisonOptions flip_options;
+  flip_options.flip.pixels_per_degree = options.pixels_per_degree;
+  flip_options.scene_linear = hdr;
+  flip_options.auto_exposure = options.exposure == "auto";
+  flip_options.ev100 = parse_number(options.exposure);
+  flip_options.mask = mask;
   Flip flip;
+  flip.result = image::compare_flip(a, b, flip_options);
+  const image::FlipComparison& f = flip.result;
   flip.details["pixels_per_degree"] = options.pixels_per_degree;
-  if (hdr && options.exposure.empty()) {
-    image::HdrFlip result = image::flip_hdr(a, b, flip_options);
-    flip.map = std::move(result.map);
+  if (f.is_hdr) {
     flip.kind = fmt::format("HDR-FLIP, {} exposures from {:+.2f} to {:+.2f} stops",
-                            result.exposure_count, result.start_exposure, result.stop_exposure);
+                            f.exposure_count, f.start_exposure, f.stop_exposure);
     flip.details["kind"] = "hdr";
-    flip.details["exposures"] = result.exposure_count;
-    flip.details["start_exposure_stops"] = result.start_exposure;
-    flip.details["stop_exposure_stops"] = result.stop_exposure;
-  } else {
-    // Pictures that were displayed already are only encoded again.
-    float exposure = 1.0f;
-    image::Tonemap tonemap = image::Tonemap::none;
-    flip.kind = "LDR-FLIP";
-    flip.details["kind"] = "ldr";
-    if (hdr) {
-      exposure = options.exposure == "auto"
-                     ? image::auto_exposure(b)
-                     : image::exposure_from_ev100(*parse_number(options.exposure));
-      tonemap = image::Tonemap::neutral;
-      const float ev100 = image::ev100_from_exposure(exposure);
-      flip.kind += fmt::format(" at EV100 {:.2f}, tone map neutral", ev100);
-      flip.details["ev100"] = ev100;
-      flip.details["tonemap"] = "neutral";
-    }
-    // Infinite values would become white; FLIP leaves pixels out that are NaN.
-    const auto display = [&](const Image& image) {
-      Image out = image::to_display(image, exposure, tonemap);
-      for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-          if (!is_finite(image.rgb(x, y))) std::fill_n(out.pixel(x, y), 3, k_nan);
-      return out;
-    };
-    flip.map = image::flip_ldr(display(a), display(b), flip_options);
+    flip.details["exposures"] = f.exposure_count;
+    flip.details["start_exposure_stops"] = f.start_exposure;
+    flip.details["stop_exposure_stops"] = f.stop_exposure;
+    return flip;
   }
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < flip.map.data.size(); ++i) {
-    if (!mask.empty() && mask[i] == 0) continue;
-    const int x = int(i % std::size_t(a.width)), y = int(i / std::size_t(a.width));
-    if (!is_finite(a.rgb(x, y)) || !is_finite(b.rgb(x, y))) {
-      flip.map.data[i] = k_nan; // left out, and drawn as such
-      continue;
-    }
-    const double value = double(flip.map.data[i]);
-    ++count;
-    flip.mean += value;
-    if (value > flip.max || flip.max_at.x < 0) {
-      flip.max = value;
-      flip.max_at = {x, y};
-    }
+  flip.kind = "LDR-FLIP";
+  flip.details["kind"] = "ldr";
+  if (f.ev100) {
+    flip.kind += fmt::format(" at EV100 {:.2f}, tone map neutral", *f.ev100);
+    flip.details["ev100"] = *f.ev100;
+    flip.details["tonemap"] = "neutral";
   }
-  if (count > 0) flip.mean /= double(count);
   return flip;
 }
 
@@ -204,8 +156,8 @@ Image make_difference_picture(const Options& options, const Image& a, const Imag
   if (options.metric == "flip") {
     if (picture.scale_max <= 0.0f) picture.scale_max = 1.0f;
     picture.title = flip.kind;
-    picture.caption = fmt::format("{}: mean {:.4f}{}", names, flip.mean, legend);
-    return image::difference_picture(flip.map, picture);
+    picture.caption = fmt::format("{}: mean {:.4f}{}", names, flip.result.mean, legend);
+    return image::difference_picture(flip.result.map, picture);
   }
   if (options.metric == "absolute") {
     picture.title = "absolute difference |A-B|";
@@ -256,7 +208,9 @@ void print_json(const Options& options, const ComparedPicture& picture_a,
   out["max_absolute_difference_at"] = place(m.max_abs_at);
   out["flip"] = nullptr;
   if (!flip.kind.empty()) {
-    out["flip"] = {{"mean", flip.mean}, {"max", flip.max}, {"max_at", place(flip.max_at)}};
+    out["flip"] = {{"mean", flip.result.mean},
+                   {"max", flip.result.max},
+                   {"max_at", place(flip.result.max_at)}};
     out["flip"].update(flip.details);
   }
   if (!options.diff.empty()) out["difference_picture"] = options.diff;
@@ -300,8 +254,8 @@ void print_table(const Options& options, const ComparedPicture& picture_a,
   row("PSNR", std::isinf(m.psnr) ? "equal" : fmt::format("{:.2f} dB", m.psnr),
       fmt::format("peak {:.5g}", m.psnr_peak));
   if (!flip.kind.empty()) {
-    row("FLIP mean", number(flip.mean), flip.kind);
-    row("FLIP max", number(flip.max), at(flip.max_at));
+    row("FLIP mean", number(flip.result.mean), flip.kind);
+    row("FLIP max", number(flip.result.max), at(flip.result.max_at));
   }
   if (!surfaces.empty())
     put("\nwhere the error lies                   pixels      mean   largest              share\n");
@@ -319,8 +273,8 @@ Result<std::vector<render::SurfaceError>> surface_errors(const Options& options,
   Result<scene::Scene> scene = scene::load_gltf(options.scene, {}, options.reading);
   if (!scene) return scene.error();
   Result<scene::Camera> camera =
-      choose_camera(*scene, options.camera, options.scene, float(a.width) / float(a.height));
-  if (!camera) return camera.error();
+      render::choose_camera(*scene, options.camera, float(a.width) / float(a.height));
+  if (!camera) return wrong_camera(options.scene, options.camera, camera.error());
   return render::error_by_surface(*scene, *camera, a, b, eps);
 }
 
@@ -345,7 +299,7 @@ Status run(const Options& options) {
     if (!picture) return picture.error();
     if (Status ok = check_same_size(picture->name, picture->picture.image, picture_b->name, b); !ok)
       return ok;
-    mask = mask_from(picture->picture.image);
+    mask = image::mask_of(picture->picture.image);
     mask_path = picture->path;
   }
   const bool linear_a = image::is_scene_linear_extension(picture_a->path);

@@ -3,7 +3,7 @@
 
 #include "cli/compare_input.h"
 
-#include "openltc/base/message.h"
+#include "cli/process/message.h"
 
 #include <fmt/format.h>
 

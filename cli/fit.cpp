@@ -3,18 +3,17 @@
 //
 // openltc fit: from a BRDF to a lobe table or polynomial, and the report of its error.
 
-#include "cli/against.h"
-#include "cli/choice.h"
 #include "cli/commands.h"
-#include "cli/fit_job.h"
-#include "cli/number.h"
+#include "cli/fit_command.h"
+#include "cli/options/choice.h"
+#include "cli/options/number.h"
 #include "cli/output_place.h"
-#include "cli/standard_streams.h"
+#include "cli/process/message.h"
+#include "cli/process/standard_streams.h"
 #include "openltc/base/atomic_file.h"
-#include "openltc/base/message.h"
 #include "openltc/brdf/choose.h"
-#include "openltc/fit/limit.h"
-#include "openltc/fit/polynomial_fit.h"
+#include "openltc/fit/fit_job.h"
+#include "openltc/fit/report/candidate_file.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +30,8 @@ namespace openltc::cli {
 namespace {
 
 struct FitArguments {
-  FitChoices choices;
+  std::string brdf = "ggx"; ///< name, or path of a MERL file
+  fit::FitRequest request;
   std::vector<std::string> outputs;
   std::vector<std::string> reports;
   std::vector<std::string> against;
@@ -77,31 +77,13 @@ Status write_text(const std::string& path, const std::string& text) {
   });
 }
 
-fit::Candidate subject_of(FittedLobes& fitted, const FitChoices& choices) {
-  fit::Candidate c;
-  c.label = choices.form == LobeForm::polynomial
-                ? fmt::format("{}, degree {}", choices.objective, choices.degree)
-                : fmt::format("{}, {}", choices.objective, choices.size);
-  c.lobes = fitted.lobes();
-  c.horizon = fitted.horizon;
-  const table::TableMetadata& m = fitted.metadata();
-  for (const table::MetadataField& field : table::k_metadata_fields)
-    if (field.text && !(m.*field.text).empty()) c.metadata.emplace_back(field.name, m.*field.text);
-  if (choices.form == LobeForm::table)
-    c.metadata.emplace_back(
-        "layout", fmt::format("{}, {}", name_of(choices.layout), name_of(choices.precision)));
-  if (!fitted.note.empty()) c.metadata.emplace_back("proof", fitted.note);
-  if (fitted.nodes) c.nodes = fit::node_axes(*fitted.nodes, fit::MeasureOptions{0, 1, 90});
-  return c;
-}
-
 // The files to compare with, and what had to be guessed about them.
 Result<std::vector<fit::Candidate>> read_candidates(const FitArguments& arguments) {
   std::vector<fit::Candidate> candidates;
   std::vector<std::string> notes;
   for (const std::string& path : arguments.against) {
     std::string note;
-    Result<fit::Candidate> other = read_candidate(path, note);
+    Result<fit::Candidate> other = fit::read_candidate(path, note);
     if (!other) return other.error();
     if (!note.empty()) notes.push_back(note);
     candidates.push_back(std::move(*other));
@@ -114,24 +96,17 @@ Result<std::vector<fit::Candidate>> read_candidates(const FitArguments& argument
 
 // The report's candidates: what was fitted, the files to compare with, and the best that any single
 // lobe could do.
-Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
+Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, const fit::FittedLobes& fitted,
                                     const std::vector<fit::Candidate>& others,
                                     const FitArguments& arguments) {
-  std::vector<fit::Candidate> candidates = {subject_of(fitted, arguments.choices)};
+  std::vector<fit::Candidate> candidates = {fit::candidate_of(fitted, arguments.request)};
   candidates.insert(candidates.end(), others.begin(), others.end());
   if (!arguments.reports.empty()) {
-    fit::Candidate limit;
-    limit.label = "limit";
-    limit.horizon = fitted.horizon;
-    limit.lobes = fit::best_single_lobes(brdf, fitted.lobes(), fitted.objective);
-    limit.metadata = {{"what", fmt::format("the best single lobe at every point by itself, {}",
-                                           fitted.objective.name)}};
-    limit.is_limit = true;
-    candidates.push_back(std::move(limit));
+    candidates.push_back(fit::limit_of(brdf, fitted));
   }
   fit::ReportOptions options;
   options.title = fmt::format("{}: error of fitted lobes", brdf.name);
-  options.command = command_of(arguments.choices);
+  options.command = arguments.request.command;
   for (const std::string& path : arguments.against)
     options.command += fmt::format(" --against {}", shell_word(path));
   options.tool_version = OPENLTC_VERSION;
@@ -140,18 +115,18 @@ Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, FittedLobes& fitted,
 
 int run_fit(const FitArguments& arguments) {
   if (arguments.list) return list_brdfs();
-  const FitChoices& choices = arguments.choices;
-  if (Status status = check_extensions(choices, arguments.outputs); !status) {
+  const fit::FitRequest& request = arguments.request;
+  if (Status status = fit::check_extensions(request, arguments.outputs); !status) {
     fail("fit", status.error());
     return k_exit_usage;
   }
-  const Result<brdf::Brdf> brdf = brdf::choose_brdf(choices.brdf);
+  const Result<brdf::Brdf> brdf = brdf::choose_brdf(arguments.brdf);
   if (!brdf) {
     fail("fit", brdf.error());
-    return is_file(choices.brdf) ? k_exit_failed : k_exit_usage;
+    return is_file(arguments.brdf) ? k_exit_failed : k_exit_usage;
   }
   // Find out now, not after the work, what cannot be written or read.
-  Result<std::vector<std::string>> files = check_outputs(*brdf, choices, arguments.outputs);
+  Result<std::vector<std::string>> files = fit::check_outputs(*brdf, request, arguments.outputs);
   if (!files) return fail("fit", files.error());
   for (const std::string& path : arguments.reports) {
     if (Status status = check_report(path); !status) return fail("fit", status.error());
@@ -164,10 +139,10 @@ int run_fit(const FitArguments& arguments) {
 
   const bool terminal = isatty(STDERR_FILENO) != 0 && !arguments.quiet;
   const auto progress = [&](double share) {
-    if (!terminal) return;
-    say("\rfitting {}: {:3.0f} % ", brdf->name, share * 100);
+    if (terminal) say("\rfitting {}: {:3.0f} % ", brdf->name, share * 100);
+    return true;
   };
-  Result<FittedLobes> fitted = fit_lobes(*brdf, choices, progress);
+  Result<fit::FittedLobes> fitted = fit::fit_lobes(*brdf, request, progress);
   if (terminal) say("\r{:60}\r", "");
   if (!fitted) return fail("fit", fitted.error());
   if (!arguments.quiet) {
@@ -177,13 +152,13 @@ int run_fit(const FitArguments& arguments) {
   }
   const Result<fit::Report> report = make_fit_report(*brdf, *fitted, *others, arguments);
   if (!report) return fail("fit", report.error());
-  state_error(*fitted, report->regions.front().errors.front());
+  fit::state_error(*fitted, report->regions.front().errors.front());
   put("{}", fit::to_text(*report));
 
   std::vector<std::string> written;
   FileGroup together;
   for (const std::string& path : arguments.outputs) {
-    const Result<std::vector<std::string>> done = write_lobes(*fitted, path);
+    const Result<std::vector<std::string>> done = fit::write_lobes(*fitted, path);
     if (!done) return fail("fit", done.error());
     written.insert(written.end(), done->begin(), done->end());
   }
@@ -197,51 +172,48 @@ int run_fit(const FitArguments& arguments) {
   for (const std::string& path : written)
     say("wrote {}\n", path);
   if (const auto* packed = std::get_if<table::PackedTable>(&fitted->stored)) {
-    const std::string note = size_note(*packed);
+    const std::string note = fit::size_note(*packed);
     if (!note.empty() && !arguments.outputs.empty()) say("{}\n", note);
   }
   return k_exit_ok;
 }
 
-} // namespace
+constexpr const char* k_fit_footer =
+    "For every roughness and view angle the linearly transformed cosine is found that comes\n"
+    "closest to the BRDF. Objectives: balanced, better than the published table in every norm\n"
+    "at once, in the mean; tv, least total variation; l2 and l3, least relative squares or\n"
+    "cubes, which hold on to the peak. The error is measured between the nodes, through the\n"
+    "look-up of the layout and in the precision that is written. Total variation (TV) is a "
+    "bound: for\n"
+    "F = 1 no light of radiance up to L_max errs by more than (E TV + |n1 - E|) L_max, E the\n"
+    "albedo and n1 what is stored for it.\n"
+    "\n"
+    "Layouts: native, for this project's shading (low roughness and small tables stay good);\n"
+    "ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP); godot; o3de.\n"
+    "A form without a table: polynomials, whose lobes are proven never to turn inside out.\n"
+    "\n"
+    "Examples:\n"
+    "  openltc fit                                        GGX, errors only\n"
+    "  openltc fit --list                                 the BRDFs\n"
+    "  openltc fit --brdf charlie --size 32 -o sheen.json\n"
+    "  openltc fit --layout ltc_code -o ggx.dds           writes ggx_1.dds and ggx_2.dds\n"
+    "  openltc fit --form polynomial -o lobes.glsl        a function to paste\n"
+    "  openltc fit --report ggx.html --against ltc_1.dds  a page of figures and heat maps\n"
+    "  openltc fit --brdf gold-paint.binary -o gold.json  a measured material";
 
-void add_fit(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<FitArguments>();
-  FitChoices& c = arguments->choices;
-  CLI::App* command =
-      app.add_subcommand("fit", "Fit lobes to a BRDF, as a table or a polynomial, and report how "
-                                "far they are from it");
-  command->footer(
-      "For every roughness and view angle the linearly transformed cosine is found that comes\n"
-      "closest to the BRDF. Objectives: balanced, better than the published table in every norm\n"
-      "at once, in the mean; tv, least total variation; l2 and l3, least relative squares or\n"
-      "cubes, which hold on to the peak. The error is measured between the nodes, through the\n"
-      "look-up of the layout and in the precision that is written. Total variation (TV) is a "
-      "bound: for\n"
-      "F = 1 no light of radiance up to L_max errs by more than (E TV + |n1 - E|) L_max, E the\n"
-      "albedo and n1 what is stored for it.\n"
-      "\n"
-      "Layouts: native, for this project's shading (low roughness and small tables stay good);\n"
-      "ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP); godot; o3de.\n"
-      "A form without a table: polynomials, whose lobes are proven never to turn inside out.\n"
-      "\n"
-      "Examples:\n"
-      "  openltc fit                                        GGX, errors only\n"
-      "  openltc fit --list                                 the BRDFs\n"
-      "  openltc fit --brdf charlie --size 32 -o sheen.json\n"
-      "  openltc fit --layout ltc_code -o ggx.dds           writes ggx_1.dds and ggx_2.dds\n"
-      "  openltc fit --form polynomial -o lobes.glsl        a function to paste\n"
-      "  openltc fit --report ggx.html --against ltc_1.dds  a page of figures and heat maps\n"
-      "  openltc fit --brdf gold-paint.binary -o gold.json  a measured material");
-  command->add_option("--brdf", c.brdf, "BRDF by name (--list), or a MERL file FILE.binary")
-      ->capture_default_str();
-  command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
-  auto* size = command->add_option("--size", c.size, "Nodes per axis of a table, 2 to 512")
+/// Options that are for one form of lobes alone.
+struct FormOptions {
+  std::vector<CLI::Option*> of_tables;
+  CLI::Option* of_polynomials = nullptr;
+};
+
+FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
+  auto* size = command.add_option("--size", c.size, "Nodes per axis of a table, 2 to 512")
                    ->transform(whole_number(2, 512))
                    ->capture_default_str();
   command
-      ->add_option("--objective", c.objective,
-                   "What the fit minimises: balanced, tv, l2, l3, or weights TV,L2,L3")
+      .add_option("--objective", c.objective,
+                  "What the fit minimises: balanced, tv, l2, l3, or weights TV,L2,L3")
       ->check(CLI::Validator(
           [](std::string& text) -> std::string {
             const Result<fit::Objective> found = fit::find_objective(text);
@@ -249,69 +221,97 @@ void add_fit(CLI::App& app, int& exit_code) {
           },
           ""))
       ->capture_default_str();
-  const Choices<LobeForm> forms = {{"table", LobeForm::table},
-                                   {"polynomial", LobeForm::polynomial}};
-  command->add_option("--form", c.form, "Table, or polynomials instead of one [table]")
+  const Choices<table::LobeForm> forms = {{"table", table::LobeForm::table},
+                                          {"polynomial", table::LobeForm::polynomial}};
+  command.add_option("--form", c.form, "Table, or polynomials instead of one [table]")
       ->transform(one_of(forms))
       ->type_name(words_of(forms));
   auto* degree =
-      command->add_option("--degree", c.degree, "Total degree of the polynomials, 3 to 6")
+      command.add_option("--degree", c.degree, "Total degree of the polynomials, 3 to 6")
           ->transform(whole_number(table::LobePolynomial::k_min_degree,
                                    table::LobePolynomial::k_max_degree))
           ->capture_default_str();
   Choices<table::Layout> layouts;
   for (const table::Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);
-  auto* layout = command->add_option("--layout", c.layout, "Whose look-up reads the table [native]")
+  auto* layout = command.add_option("--layout", c.layout, "Whose look-up reads the table [native]")
                      ->transform(one_of(layouts))
                      ->type_name(words_of(layouts));
   const Choices<table::Precision> precisions = {
       {name_of(table::Precision::float32), table::Precision::float32},
       {name_of(table::Precision::float16), table::Precision::float16}};
-  auto* precision = command->add_option("--precision", c.precision, "Numbers of a table [float32]")
+  auto* precision = command.add_option("--precision", c.precision, "Numbers of a table [float32]")
                         ->transform(one_of(precisions))
                         ->type_name(words_of(precisions));
   const Choices<fit::Refine> refines = {
       {"auto", fit::Refine::automatic}, {"on", fit::Refine::on}, {"off", fit::Refine::off}};
   auto* refine =
       command
-          ->add_option(
-              "--refine", c.refine,
-              "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
-              "does so up to 32 nodes, and not for other layouts [auto]")
+          .add_option("--refine", c.refine,
+                      "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
+                      "does so up to 32 nodes, and not for other layouts [auto]")
           ->transform(one_of(refines))
           ->type_name(words_of(refines));
-  auto* clip_aware = command->add_flag(
+  auto* clip_aware = command.add_flag(
       "--clip-aware", c.clip_aware,
       "For layouts other than native: fit for a renderer that clips lights at the surface's "
       "horizon, amplitudes over the share of the lobe above it; the file says horizon divided");
+  return {{size, layout, precision, refine, clip_aware}, degree};
+}
+
+void add_file_options(CLI::App& command, FitArguments& arguments) {
   command
-      ->add_option("-o,--output", arguments->outputs,
-                   "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "
-                   ".hlsl .wgsl .js, or .cpp/.inc, C++ source of the built-in. May be repeated")
+      .add_option("-o,--output", arguments.outputs,
+                  "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "
+                  ".hlsl .wgsl .js, or .cpp/.inc, C++ source of the built-in. May be repeated")
       ->allow_extra_args(false);
   command
-      ->add_option("--report", arguments->reports,
-                   "Write the report to this .json or .html file. May be repeated")
+      .add_option("--report", arguments.reports,
+                  "Write the report to this .json or .html file. May be repeated")
       ->allow_extra_args(false);
   command
-      ->add_option("--against", arguments->against,
-                   "A table or polynomial to compare with: any file that this tool writes, or a "
-                   "bare published texture. May be repeated")
+      .add_option("--against", arguments.against,
+                  "A table or polynomial to compare with: any file that this tool writes, or a "
+                  "bare published texture. May be repeated")
       ->allow_extra_args(false);
-  command->add_flag("--quiet", arguments->quiet, "No progress and messages on stderr");
-  // What would be passed over in silence is wrong usage.
-  const std::vector<CLI::Option*> of_tables = {size, layout, precision, refine, clip_aware};
-  command->callback([arguments, degree, of_tables, &exit_code] {
-    const bool polynomial = arguments->choices.form == LobeForm::polynomial;
-    const auto refuse = [&](const CLI::Option* option, const char* form, const char* not_form) {
-      exit_code = fail(
-          "fit", Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)},
-          k_exit_usage);
-    };
-    for (const CLI::Option* option : of_tables)
-      if (polynomial && option->count() > 0) return refuse(option, "tables", "--form polynomial");
-    if (!polynomial && degree->count() > 0) return refuse(degree, "--form polynomial", "tables");
+  command.add_flag("--quiet", arguments.quiet, "No progress and messages on stderr");
+}
+
+/// What would be passed over in silence is wrong usage.
+Status check_form(const fit::FitRequest& request, const FormOptions& options) {
+  const bool polynomial = request.form == table::LobeForm::polynomial;
+  const auto refusal = [&](const CLI::Option* option, const char* form, const char* not_form) {
+    return Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)};
+  };
+  for (const CLI::Option* option : options.of_tables)
+    if (polynomial && option->count() > 0) return refusal(option, "tables", "--form polynomial");
+  if (!polynomial && options.of_polynomials->count() > 0)
+    return refusal(options.of_polynomials, "--form polynomial", "tables");
+  return Success{};
+}
+
+} // namespace
+
+void add_fit(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<FitArguments>();
+  CLI::App* command =
+      app.add_subcommand("fit", "Fit lobes to a BRDF, as a table or a polynomial, and report how "
+                                "far they are from it");
+  command->footer(k_fit_footer);
+  command
+      ->add_option("--brdf", arguments->brdf, "BRDF by name (--list), or a MERL file FILE.binary")
+      ->capture_default_str();
+  command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
+  const FormOptions form_options = add_request_options(*command, arguments->request);
+  add_file_options(*command, *arguments);
+  command->callback([arguments, form_options, &exit_code] {
+    fit::FitRequest& request = arguments->request;
+    if (Status status = check_form(request, form_options); !status) {
+      exit_code = fail("fit", status.error(), k_exit_usage);
+      return;
+    }
+    request.tool_version = OPENLTC_VERSION;
+    request.command = fit_command_of(arguments->brdf, request);
     exit_code = run_fit(*arguments);
   });
 }

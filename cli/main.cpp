@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
-#include "cli/finite_numbers.h"
-#include "cli/standard_streams.h"
-#include "openltc/base/ending.h"
-#include "openltc/base/file_place.h"
-#include "openltc/base/message.h"
+#include "cli/options/finite_numbers.h"
+#include "cli/process/ending.h"
+#include "cli/process/file_watch.h"
+#include "cli/process/message.h"
+#include "cli/process/standard_streams.h"
 #include "openltc/base/quote.h"
 
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ int run_command(int argc, char** argv) {
     std::ostringstream out, err;
     const int code = app.exit(e, out, err);
     openltc::cli::put_text(out.str());
-    openltc::say_text(err.str());
+    openltc::cli::say_text(err.str());
     return code == 0 ? openltc::cli::k_exit_ok : openltc::cli::k_exit_usage;
   }
   return exit_code;
@@ -81,9 +81,9 @@ int run_guarded(int argc, char** argv) {
   try {
     return run_command(argc, argv);
   } catch (const std::bad_alloc&) {
-    openltc::say_text("openltc: not enough memory for this job\n");
+    openltc::cli::say_text("openltc: not enough memory for this job\n");
   } catch (const std::exception& e) {
-    openltc::say("openltc: {}\n", openltc::escaped(e.what()));
+    openltc::cli::say("openltc: {}\n", openltc::escaped(e.what()));
   }
   return openltc::cli::k_exit_failed;
 }
@@ -97,7 +97,7 @@ int openltc::cli::fail(const std::string& command, const Error& error, ExitCode 
 
 int main(int argc, char** argv) {
   openltc::cli::open_standard_streams();
-  openltc::end_cleanly_on_signals();
-  openltc::remember_inputs();
+  openltc::cli::end_cleanly_on_signals();
+  openltc::cli::watch_files();
   return openltc::cli::finish_standard_output(run_guarded(argc, argv));
 }

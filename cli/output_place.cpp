@@ -3,6 +3,7 @@
 
 #include "cli/output_place.h"
 
+#include "cli/process/input_files.h"
 #include "openltc/base/destination.h"
 #include "openltc/base/file_place.h"
 

@@ -4,11 +4,10 @@
 #include "cli/picture_output.h"
 
 #include "cli/output_place.h"
+#include "openltc/image/display.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -17,37 +16,15 @@ namespace openltc::cli {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string extension_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension;
-}
-
-} // namespace
-
 std::string default_output(const std::string& scene) {
   return fs::path(scene).stem().string() + ".png";
-}
-
-std::vector<std::string> output_files(const std::string& path, bool with_standard_error) {
-  std::vector<std::string> files = {path};
-  if (with_standard_error && extension_of(path) == ".hdr") {
-    const fs::path whole(path);
-    files.push_back(
-        (whole.parent_path() / (whole.stem().string() + "_stderr" + whole.extension().string()))
-            .string());
-  }
-  return files;
 }
 
 std::vector<std::string> all_output_files(const std::vector<std::string>& paths,
                                           bool with_standard_error) {
   std::vector<std::string> all;
   for (const std::string& path : paths)
-    for (std::string& file : output_files(path, with_standard_error))
+    for (std::string& file : image::picture_files(path, with_standard_error))
       all.push_back(std::move(file));
   return all;
 }
@@ -75,34 +52,6 @@ Status check_ev100(float ev100) {
   const float exposure = image::exposure_from_ev100(ev100);
   if (exposure > 0 && std::isfinite(exposure)) return Success{};
   return Error{fmt::format("--exposure {}: out of range", ev100)};
-}
-
-Result<float> resolve_exposure(const image::Image& radiance, const DisplayOptions& display) {
-  image::AutoExposureOptions options;
-  options.light = display.light_nits;
-  if (!display.ev100 && display.usual_exposure > 0)
-    return image::exposure_below_white(radiance, display.usual_exposure, options);
-  if (!display.ev100) return image::auto_exposure(radiance, options);
-  if (Status status = check_ev100(*display.ev100); !status) return status.error();
-  return image::exposure_from_ev100(*display.ev100);
-}
-
-Status write_picture(const std::string& path, const image::Image& radiance,
-                     const image::Image* standard_error, float exposure, image::Tonemap tonemap,
-                     image::ExrPrecision precision) {
-  const std::string extension = extension_of(path);
-  if (extension == ".exr") {
-    std::vector<image::LayerView> layers = {{"", &radiance}};
-    if (standard_error) layers.push_back({"stderr", standard_error});
-    return image::write_exr_views(path, layers, precision);
-  }
-  if (extension == ".hdr") {
-    Status status = image::write_hdr(path, radiance);
-    if (status.ok() && standard_error)
-      status = image::write_hdr(output_files(path, true).back(), *standard_error);
-    return status;
-  }
-  return image::write_png(path, image::to_display(radiance, exposure, tonemap));
 }
 
 } // namespace openltc::cli

@@ -10,30 +10,83 @@
    meet only through a table. Nothing in openltc/ includes cli, tests or bench. openltc/openltc.h, the
    one header of the public API, includes openltc/api alone, and nothing in openltc/ includes it.
 2. Includes within the repository are written from its root.
-3. Embree, glTF, mesh codec and image file headers appear in .cpp files only; render/embree.h and
-   image/exr_input.h, private headers that hide the difference between Embree 3 and 4 and between
-   OpenEXR 2 and 3, are the exceptions.
+3. Embree, glTF, mesh codec and image file headers appear in .cpp files only. Exceptions are private
+   headers: render/embree.h and image/exr/exr_input.h, which hide the difference between Embree 3 and 4
+   and between OpenEXR 2 and 3, and scene/gltf/file/tinygltf.h, which sets tinygltf up.
 4. Every source file begins with the two licence lines.
 5. The root CMakeLists.txt stays under 80 lines.
+6. The library is silent: no file of openltc/ uses standard output or error, handles a signal, ends
+   the process or does something at its end; that is cli/ alone. base/result.cpp ends a program
+   that takes what a Result has not, as assert would.
+7. Threads are started by base/parallel.cpp alone, which nothing passes by: no other file of openltc/
+   or cli/ includes oneTBB or starts threads.
+8. No folder of openltc/ or cli/ holds more than 30 files of its own: a wider one gets rooms. The
+   ones in k_wide_folders have not got theirs yet.
 
 Prints one line per breach, as file:line: what; exit code 1 if there is any.
 """
 
+import collections
 import os
 import re
 import sys
 
-k_layers = ["shade", "target", "api", "base", "image", "brdf", "table", "fit", "light", "scene", "render", "plot"]
+k_layers = ["shade", "target", "api", "base", "image", "draw", "brdf", "table", "fit", "light", "scene", "render", "plot"]
 k_source_endings = (".h", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh", ".mjs", ".cmake")
 k_source_names = ("CMakeLists.txt", "Makefile", "run")
 k_skipped_folders = {".git", "build", "out", "node_modules", "__pycache__"}
 k_root_list_lines = 80
 k_umbrella = "openltc.h"
+k_folder_files = 30
+k_wide_folders = {"openltc/render"}
 
 k_include = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 k_private_headers = re.compile(
     r"^(embree[34]?/|tiny_gltf|draco/|meshoptimizer|OpenEXR/|Imf|png\.h|jpeglib|stb_|stb/|librsvg/|webp/)")
-k_private_headers_allowed = {"openltc/render/embree.h", "openltc/image/exr_input.h"}
+k_private_headers_allowed = {"openltc/render/embree.h", "openltc/image/exr/exr_input.h",
+                             "openltc/scene/gltf/file/tinygltf.h"}
+
+
+# Words of rule 6, looked for outside of comments and strings.
+k_loud_words = re.compile(
+    r"\bstd::(cout|cerr|clog|wcout|wcerr|wclog)\b|\b(stdout|stderr|STD(OUT|ERR)_FILENO)\b"
+    r"|(?<![\w.>])(std::)?(printf|vprintf|puts|putchar|perror)\s*\("
+    r'|\bfmt::v?print(ln)?\s*\(\s*("|fmt::|\))'
+    r"|\b(sigaction|sigprocmask|pthread_sigmask|SIG_IGN|SIG_DFL)\b|(<csignal>|<signal\.h>)"
+    r"|\bstd::(signal|raise|exit|quick_exit|abort|terminate|atexit|at_quick_exit|set_terminate)\b"
+    r"|(?<![\w.>])(::)?(_exit|exit|abort|atexit|on_exit|isatty)\s*\(")
+# Includes and words of rule 7.
+k_thread_words = re.compile(r"#\s*include\s*<(tbb/|oneapi/tbb|execution>|omp\.h>|pthread\.h>)"
+                            r"|\btbb::|\bstd::(jthread|async)\b|\bstd::thread\b(?!::)|#\s*pragma\s+omp")
+k_loud_file = "openltc/base/result.cpp"
+k_thread_file = "openltc/base/parallel.cpp"
+k_comment_or_string = re.compile(
+    r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
+
+
+def code_of(text):
+    """The text without comments and strings, line by line."""
+    def blank(match):
+        kept = '""' if match.group()[0] == '"' else " "
+        return kept + "\n" * match.group().count("\n")
+    return k_comment_or_string.sub(blank, text).splitlines()
+
+
+def find_words(words, code, what):
+    """The first of these words in each line, as (line, text)."""
+    return [(number, "%s, but here: %s" % (what, word.group().strip()))
+            for number, line in enumerate(code, 1) for word in [words.search(line)] if word]
+
+
+def check_code(path, text):
+    """Breaches of rules 6 and 7 as (line, text)."""
+    code = code_of(text)
+    breaches = []
+    if path.startswith("openltc/") and path != k_loud_file:
+        breaches += find_words(k_loud_words, code, "the library prints nothing and leaves the process alone")
+    if path != k_thread_file:
+        breaches += find_words(k_thread_words, code, "threads are for %s" % k_thread_file)
+    return breaches
 
 
 def allowed_folders(folder):
@@ -88,14 +141,26 @@ def check_library_include(path, form, header):
     return []
 
 
+def check_widths(paths):
+    """Breaches of rule 8 as (folder, 1, text)."""
+    counts = collections.Counter(os.path.dirname(path) for path in paths
+                                 if path.startswith(("openltc/", "cli/")))
+    return [(folder, 1, "%d files; a folder of more than %d gets rooms" % (count, k_folder_files))
+            for folder, count in sorted(counts.items())
+            if count > k_folder_files and folder not in k_wide_folders]
+
+
 def check(root):
     """All breaches as (path, line, text)."""
-    breaches = []
-    for path in find_sources(root):
+    paths = list(find_sources(root))
+    breaches = check_widths(paths)
+    for path in paths:
         with open(os.path.join(root, path), encoding="utf-8") as stream:
             lines = stream.read().splitlines()
         breaches += [(path, line, text) for line, text in check_licence(lines)]
         parts = path.split("/")
+        if parts[0] in ("openltc", "cli") and path.endswith((".h", ".cpp", ".inc")):
+            breaches += [(path, line, text) for line, text in check_code(path, "\n".join(lines))]
         if parts[0] == "openltc" and (len(parts) > 2 or parts[1] == k_umbrella):
             if parts[1] not in k_layers + [k_umbrella]:
                 breaches.append((path, 1, "openltc/%s is not in the list of layers" % parts[1]))

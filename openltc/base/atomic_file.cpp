@@ -4,7 +4,7 @@
 #include "openltc/base/atomic_file.h"
 
 #include "openltc/base/destination.h"
-#include "openltc/base/ending.h"
+#include "openltc/base/file_observer.h"
 #include "openltc/base/temporary_file.h"
 
 #include <fmt/format.h>
@@ -142,7 +142,7 @@ Status FileGroup::commit() {
     }
     return cannot_write(m->path, reason);
   }
-  if (!members_.empty()) note_written();
+  if (!members_.empty()) file_observer().has_written();
   members_.clear();
   return Success{};
 }

@@ -35,7 +35,8 @@ public:
   FileGroup& operator=(const FileGroup&) = delete;
 
   /// All files in the order in which they were written, pipes and devices first. If one fails,
-  /// those before it are put back, and the error names it. Signals wait meanwhile.
+  /// those before it are put back, and the error names it. The FileObserver is told that
+  /// this must not be cut in two.
   Status commit();
 
 private:

@@ -3,10 +3,7 @@
 
 #include "openltc/base/file_place.h"
 
-#include <atomic>
 #include <filesystem>
-#include <mutex>
-#include <set>
 #include <sys/stat.h>
 
 namespace openltc {
@@ -16,13 +13,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int k_most_links = 40; // as Linux
-
-std::atomic<bool> g_remembers{false};
-std::mutex g_mutex;
-std::set<FilePlace>& inputs() {
-  static std::set<FilePlace> places;
-  return places;
-}
 
 std::string folder_of(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
@@ -52,20 +42,6 @@ FilePlace place_of(const std::string& path) {
     return {std::uint64_t(facts.st_dev), std::uint64_t(facts.st_ino),
             fs::path(at).filename().string()};
   return {0, 0, at};
-}
-
-void remember_inputs() { g_remembers.store(true); }
-
-void note_input(const std::string& path) {
-  if (!g_remembers.load()) return;
-  FilePlace place = place_of(path);
-  const std::lock_guard lock(g_mutex);
-  inputs().insert(std::move(place));
-}
-
-bool is_input(const FilePlace& place) {
-  const std::lock_guard lock(g_mutex);
-  return inputs().count(place) > 0;
 }
 
 } // namespace openltc

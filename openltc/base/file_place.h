@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// Whether two paths mean one file, and which files were read.
+// Whether two paths mean one file.
 
 #pragma once
 
@@ -24,16 +24,5 @@ FilePlace place_of(const std::string& path);
 
 /// `path`, or, where that is a symbolic link to something that does not exist, what it points to.
 std::string without_dangling_links(const std::string& path);
-
-/// From now on note_input remembers. A tool asks for it at its start, to know what it must not
-/// write over; a library keeps no list.
-void remember_inputs();
-
-/// Remembers that `path` is read, or is named by a file that is read. Every reader calls it. May be
-/// called from any thread.
-void note_input(const std::string& path);
-
-/// Whether a file at this place was read.
-bool is_input(const FilePlace& place);
 
 } // namespace openltc

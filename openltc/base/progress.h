@@ -1,40 +1,46 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Progress of a long job on stderr.
+// How a long job says how far it is, and is asked to stop.
 
 #pragma once
 
+#include "openltc/base/result.h"
+
 #include <atomic>
-#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
-#include <string>
 
 namespace openltc {
 
-/// A bar with an estimate of the time left when stderr is a terminal; otherwise a line for each
-/// quarter of the work. Silent when `quiet`. add() may be called from any thread.
-class Progress {
-public:
-  Progress(std::string label, std::int64_t total, bool quiet);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+/// Called with the share of a job that is done, rising from 0 to 1, from any thread, one call at a
+/// time; false asks the job to stop, which then fails with cancelled(). Empty: nobody asks. It must
+/// not throw.
+using Progress = std::function<bool(double share)>;
 
-  void add(std::int64_t amount);
+/// The error of a job that was asked to stop.
+Error cancelled();
+
+/// For a part of a job, from the share `begin` to `end` of the whole.
+Progress part_of(Progress whole, double begin, double end);
+
+/// Counts the steps of one job, whose threads all have it, and tells its Progress of them.
+class ProgressCount {
+public:
+  /// `steps` make the whole job.
+  ProgressCount(std::int64_t steps, Progress progress);
+
+  /// `steps` more are done. From any thread.
+  void add(std::int64_t steps);
+  /// Whether the job was asked to stop: what is left to do may be left out. From any thread.
+  bool is_cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
 private:
-  void print(std::int64_t done, bool last);
-
-  std::string label_;
-  std::int64_t total_;
-  bool quiet_;
-  bool terminal_;
-  std::atomic<std::int64_t> done_{0};
+  Progress progress_;
+  std::int64_t steps_, done_ = 0;
+  std::atomic<bool> cancelled_{false};
   std::mutex mutex_;
-  std::chrono::steady_clock::time_point start_, last_print_;
-  int quarter_ = 0;
 };
 
 } // namespace openltc

@@ -3,7 +3,7 @@
 
 #include "openltc/base/regular_file.h"
 
-#include "openltc/base/file_place.h"
+#include "openltc/base/file_observer.h"
 
 #include <fmt/format.h>
 
@@ -118,7 +118,7 @@ Result<RegularFile> open_regular_file(const std::string& path, std::uint64_t max
   if (::fstat(descriptor, &facts) != 0)
     return failure(path, fmt::format("cannot open: {}", std::strerror(errno)));
   if (!S_ISREG(facts.st_mode)) return not_regular(path, facts.st_mode);
-  note_input(path);
+  file_observer().reads(path);
   file.size_ = std::uint64_t(std::max<off_t>(facts.st_size, 0));
   if (file.size_ > max_bytes)
     return failure(path,

@@ -5,7 +5,6 @@
 
 #pragma once
 
-#include <cassert>
 #include <string>
 #include <utility>
 #include <variant>
@@ -17,7 +16,17 @@ struct Error {
   std::string message;
 };
 
-/// Either a value or an Error. Test it, then take value() or error().
+namespace result {
+
+/// What a program that takes what a Result has not comes to, in every build: one line on standard
+/// error, and an abort.
+[[noreturn]] void end_without_value(const char* message) noexcept;
+[[noreturn]] void end_without_error() noexcept;
+
+} // namespace result
+
+/// Either a value or an Error. Test it, then take value() or error(); to take the one that is not
+/// there ends the program with a message.
 template <class T> class [[nodiscard]] Result {
 public:
   Result(T value) : state_(std::move(value)) {}
@@ -27,20 +36,20 @@ public:
   bool ok() const { return state_.index() == 0; }
 
   T& value() {
-    assert(ok());
-    return std::get<0>(state_);
+    if (!ok()) result::end_without_value(error().message.c_str());
+    return *std::get_if<0>(&state_);
   }
   const T& value() const {
-    assert(ok());
-    return std::get<0>(state_);
+    if (!ok()) result::end_without_value(error().message.c_str());
+    return *std::get_if<0>(&state_);
   }
   T& operator*() { return value(); }
   const T& operator*() const { return value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
   const Error& error() const {
-    assert(!ok());
-    return std::get<1>(state_);
+    if (ok()) result::end_without_error();
+    return *std::get_if<1>(&state_);
   }
 
 private:

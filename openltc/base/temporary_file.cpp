@@ -3,7 +3,7 @@
 
 #include "openltc/base/temporary_file.h"
 
-#include "openltc/base/ending.h"
+#include "openltc/base/file_observer.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +68,7 @@ TemporaryFile::~TemporaryFile() {
   if (name_.empty()) return;
   const Undivided undivided;
   ::unlink(name_.c_str());
-  forget_unfinished(name_);
+  file_observer().ends_unfinished(name_);
 }
 
 std::string TemporaryFile::path() const { return name_.empty() ? path_of(descriptor_) : name_; }
@@ -86,14 +86,14 @@ bool TemporaryFile::give_name() {
   const Undivided undivided;
   if (!link_as(name)) return false;
   name_ = name;
-  remember_unfinished(name_);
+  file_observer().makes_unfinished(name_);
   return true;
 }
 
 bool TemporaryFile::rename_to(const std::string& path) {
   const Undivided undivided;
   if (!give_name() || ::rename(name_.c_str(), path.c_str()) != 0) return false;
-  forget_unfinished(name_);
+  file_observer().ends_unfinished(name_);
   name_.clear();
   return true;
 }
@@ -123,16 +123,16 @@ bool TemporaryFile::change_places_with(const std::string& path) {
     errno = reason;
     return false;
   }
-  forget_unfinished(name_);
+  file_observer().ends_unfinished(name_);
   name_ = kept ? old : "";
-  if (kept) remember_unfinished(old);
+  if (kept) file_observer().makes_unfinished(old);
   return true;
 }
 
 bool TemporaryFile::put_back(const std::string& path) {
   const Undivided undivided;
   if (name_.empty() || ::rename(name_.c_str(), path.c_str()) != 0) return false;
-  forget_unfinished(name_);
+  file_observer().ends_unfinished(name_);
   name_.clear();
   return true;
 }
@@ -148,7 +148,7 @@ Result<TemporaryFile> make_temporary_file(const std::string& folder, const std::
     file.descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
     if (file.descriptor_ >= 0) {
       file.name_ = name;
-      remember_unfinished(name);
+      file_observer().makes_unfinished(name);
     }
   }
   struct stat facts = {};

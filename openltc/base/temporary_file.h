@@ -11,8 +11,8 @@
 
 namespace openltc {
 
-/// A new empty file that goes away with this object, with every signal, and, where it has no name,
-/// with the process, however that ends.
+/// A new empty file that goes away with this object and, where it has no name, with the process,
+/// however that ends. While it has one, the FileObserver knows it and can remove it.
 class TemporaryFile {
 public:
   TemporaryFile() = default;

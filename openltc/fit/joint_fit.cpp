@@ -11,8 +11,9 @@
 
 #include "openltc/fit/joint_fit.h"
 
+#include "openltc/base/parallel.h"
+
 #include <Eigen/Dense>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +87,8 @@ Local evaluate_local(const JointSample& sample, const Vector4& x, const JointFit
 
 double evaluate_all(const std::vector<JointSample>& samples, const Unknowns& unknowns,
                     const JointFitOptions& options, Locals& locals) {
-  tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t s) {
+  parallel_for(std::int64_t(samples.size()), 0, [&](std::int64_t index) {
+    const std::size_t s = std::size_t(index);
     locals[s] = evaluate_local(samples[s], interpolate(samples[s], unknowns), options);
   });
   double sum = 0;
@@ -171,6 +173,10 @@ JointFit fit_jointly(const std::vector<JointSample>& samples, std::vector<Vec4d>
       trial[i] += step[i];
     const double there = evaluate_all(samples, trial, options, trial_locals);
     ++fit.iterations;
+    if (options.progress && !options.progress(double(fit.iterations) / options.max_iterations)) {
+      fit.cancelled = true;
+      break;
+    }
     if (there < value) {
       const bool done = value - there < options.tolerance * value;
       at.swap(trial);
@@ -195,7 +201,8 @@ std::vector<Vec4d> project_jointly(const std::vector<JointSample>& samples,
   JointFitOptions plain = options;
   plain.least_determinant = 0;
   const Unknowns wanted = to_eigen(best);
-  tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t s) {
+  parallel_for(std::int64_t(samples.size()), 0, [&](std::int64_t index) {
+    const std::size_t s = std::size_t(index);
     model[s] = evaluate_local(samples[s], wanted[s], plain);
     model[s].hessian *= model[s].value;
   });

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "openltc/base/progress.h"
 #include "openltc/fit/objective.h"
 #include "openltc/fit/quadrature.h"
 #include "openltc/target/vec.h"
@@ -35,12 +36,14 @@ struct JointFitOptions {
   double tolerance = 1e-5; ///< relative decrease of the objective in one step
   /// A D - w B C is kept above this by a quadratic penalty, w being the lobe's width.
   double least_determinant = 0;
+  Progress progress; ///< told of every step; when it asks to stop, the fit ends as it stands
 };
 
 struct JointFit {
   std::vector<Vec4d> unknowns; ///< A B C D each
   double objective = 0;        ///< weighted mean over the samples
   int iterations = 0;
+  bool cancelled = false; ///< by the options' progress
 };
 
 /// Minimises the weighted sum of the objective over the samples from `start`, one Vec4d per

@@ -8,12 +8,12 @@
 
 #include "openltc/fit/polynomial_fit.h"
 
+#include "openltc/base/parallel.h"
 #include "openltc/fit/joint_fit.h"
 #include "openltc/fit/lobe_start.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -58,7 +58,7 @@ struct Samples {
 };
 
 Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions& options,
-                             QuadratureSize quadrature) {
+                             QuadratureSize quadrature, Progress progress) {
   const int n = options.samples;
   const int columns = brdf.has_parameter() ? n : 1, rows = n + int(k_rim.size());
   // Closer towards the mirror, where lobes are narrow and a small error of a coefficient is a large
@@ -78,7 +78,10 @@ Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions&
   std::vector<std::string> failures{std::size_t(rows)};
   LobeFitOptions fit;
   fit.objective.horizon = options.objective.horizon; // otherwise balanced, the start of all
-  tbb::parallel_for(0, rows, [&](int row) {
+  ProgressCount done(rows, std::move(progress));
+  parallel_for(rows, 0, [&](std::int64_t index) {
+    const int row = int(index);
+    if (done.is_cancelled()) return;
     const bool rim = row >= n;
     const double y = rim ? k_rim[std::size_t(row - n)] : (row + 0.5) / n;
     Vec4d start;
@@ -97,7 +100,9 @@ Result<Samples> make_samples(const brdf::Brdf& brdf, const PolynomialFitOptions&
       samples.joint[at].terms =
           terms_at(options.degree, brdf.has_parameter(), roughness_of(column, rim), y);
     }
+    done.add(1);
   });
+  if (done.is_cancelled()) return cancelled();
   for (const std::string& failure : failures)
     if (!failure.empty()) return Error{failure};
   return samples;
@@ -121,7 +126,8 @@ LobePolynomial pack(const brdf::Brdf& brdf, int degree, const std::vector<Vec4d>
 
 } // namespace
 
-Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFitOptions& options) {
+Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFitOptions& options,
+                                     const Progress& progress) {
   if (options.degree < LobePolynomial::k_min_degree ||
       options.degree > LobePolynomial::k_max_degree)
     return Error{fmt::format("polynomial degree {}: choose {} to {}", options.degree,
@@ -129,7 +135,8 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   const Result<QuadratureSize> quadrature =
       options.quadrature ? Result<QuadratureSize>(*options.quadrature) : choose_quadrature(brdf);
   if (!quadrature) return quadrature.error();
-  const Result<Samples> samples = make_samples(brdf, options, *quadrature);
+  const Result<Samples> samples =
+      make_samples(brdf, options, *quadrature, part_of(progress, 0.0, 0.3));
   if (!samples) return samples.error();
 
   const std::size_t count = std::size_t(table::polynomial_terms(options.degree));
@@ -156,8 +163,12 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   const std::vector<double> s = interpolate_jointly(samples->joint, wanted_s, importance_s, zero);
 
   PolynomialFit result;
+  double share = 0.3; // most fits need one attempt; each takes half of what is left of the bar
   for (int attempt = 0; attempt < 6; ++attempt) {
+    const double step = 0.25 * (1.0 - share);
+    joint.progress = part_of(progress, share, share + step);
     const JointFit balanced = fit_jointly(samples->joint, mirror, joint);
+    if (balanced.cancelled) return cancelled();
     if (!std::isfinite(balanced.objective))
       return Error{fmt::format("brdf {}: no polynomial of degree {} keeps its lobes from turning "
                                "inside out; openltc fit --degree asks for a higher one, and a "
@@ -166,8 +177,11 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
     mirror = balanced.unknowns;
     JointFitOptions own = joint;
     own.objective = options.objective;
-    result.polynomial =
-        pack(brdf, options.degree, fit_jointly(samples->joint, mirror, own).unknowns, n1, s);
+    own.progress = part_of(progress, share + step, share + 2 * step);
+    share += 2 * step;
+    const JointFit fitted = fit_jointly(samples->joint, mirror, own);
+    if (fitted.cancelled) return cancelled();
+    result.polynomial = pack(brdf, options.degree, fitted.unknowns, n1, s);
     result.certificate = certify_determinant(result.polynomial);
     if (result.certificate.lower_bound > 0) break;
     joint.least_determinant *= 3;
@@ -177,6 +191,7 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
         fmt::format("brdf {}: polynomials of degree {} could not be certified, A D - w B C "
                     "reaches {:.2e}; openltc fit --degree asks for another, and a table needs none",
                     brdf.name, options.degree, result.certificate.smallest_seen)};
+  if (progress && !progress(1.0)) return cancelled();
   result.polynomial.metadata.brdf = brdf.name;
   result.polynomial.metadata.variant = brdf.variant;
   result.polynomial.metadata.objective = options.objective.name;

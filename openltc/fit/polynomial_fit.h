@@ -5,10 +5,11 @@
 
 #pragma once
 
+#include "openltc/base/progress.h"
 #include "openltc/base/result.h"
 #include "openltc/brdf/brdf.h"
-#include "openltc/fit/certificate.h"
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/certificate.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/fit/objective.h"
 #include "openltc/table/lobe_polynomial.h"
 
@@ -33,8 +34,9 @@ struct PolynomialFit {
 /// decimal digits. The result depends neither on the number of threads nor on the instruction set.
 ///
 /// Fails with one line when the BRDF does (make_quadrature) and when no polynomial of this degree
-/// could be certified.
-Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFitOptions& options);
+/// could be certified, and when `progress` asks it to stop.
+Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFitOptions& options,
+                                     const Progress& progress = {});
 
 /// The look-up of a polynomial, which must outlive the function.
 LobeFunction lobes_of(const table::LobePolynomial& polynomial);

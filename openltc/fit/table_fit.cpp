@@ -13,17 +13,16 @@
 
 #include "openltc/fit/table_fit.h"
 
+#include "openltc/base/parallel.h"
 #include "openltc/fit/joint_fit.h"
 #include "openltc/fit/lobe_start.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -138,7 +137,8 @@ Result<std::vector<JointSample>> make_samples(const Grid& grid) {
   const std::size_t between = std::size_t(across) * std::size_t(along);
   std::vector<JointSample> samples(between + std::size_t(grid.columns));
   std::vector<std::string> failures(samples.size());
-  tbb::parallel_for(std::size_t(0), samples.size(), [&](std::size_t k) {
+  parallel_for(std::int64_t(samples.size()), 0, [&](std::int64_t index) {
+    const std::size_t k = std::size_t(index);
     const bool rim = k >= between;
     const int i = rim ? int(k - between) : int(k) % across;
     const double x = rim ? i : grid.columns > 1 ? (i + 0.5) / per_cell : 0;
@@ -165,7 +165,7 @@ Result<std::vector<JointSample>> make_samples(const Grid& grid) {
   return samples;
 }
 
-Status refine(Grid& grid) {
+Status refine(Grid& grid, Progress progress) {
   Result<std::vector<JointSample>> samples = make_samples(grid);
   if (!samples) return samples.error();
   std::vector<Vec4d> mirror;
@@ -182,7 +182,10 @@ Status refine(Grid& grid) {
   JointFitOptions joint;
   joint.objective = grid.options.lobe.objective;
   joint.least_determinant = k_least_determinant;
-  mirror = fit_jointly(*samples, mirror, joint).unknowns;
+  joint.progress = std::move(progress);
+  JointFit fitted = fit_jointly(*samples, mirror, joint);
+  if (fitted.cancelled) return cancelled();
+  mirror = std::move(fitted.unknowns);
   n1 = interpolate_jointly(*samples, wanted1, {}, n1);
   n5 = interpolate_jointly(*samples, wanted5, {}, n5);
   // Least squares may overshoot where the albedo bends; more than the BRDF ever reflects must not
@@ -260,7 +263,7 @@ GrazingRow grazing_row(int rows, table::AngleAxis axis) {
 }
 
 Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& options,
-                            const std::function<void(double)>& progress) {
+                            const Progress& progress) {
   if (options.size < 2 || options.size > 512)
     return Error{fmt::format("table size {}: choose 2 to 512 nodes per axis", options.size)};
 
@@ -280,22 +283,22 @@ Result<LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& optio
   if (grid.columns == 1) {
     if (Status status = fit_single_column(grid); !status) return status.error();
   } else {
-    std::mutex mutex;
-    int done = 0;
+    ProgressCount done(grid.rows, part_of(progress, 0.0, refined ? 0.3 : 1.0));
     std::vector<std::string> failures(std::size_t(grid.rows));
-    tbb::parallel_for(0, grid.rows, [&](int row) {
+    parallel_for(grid.rows, 0, [&](std::int64_t index) {
+      const int row = int(index);
+      if (done.is_cancelled()) return;
       if (const Status status = fit_row(grid, row); !status)
         failures[std::size_t(row)] = status.error().message;
-      const std::lock_guard<std::mutex> lock(mutex);
-      ++done;
-      if (progress) progress(double(done) / grid.rows * (refined ? 0.3 : 1.0));
+      done.add(1);
     });
+    if (done.is_cancelled()) return cancelled();
     if (Status status = first_failure(failures); !status) return status.error();
   }
   const std::vector<Node> unrefined = grid.nodes;
   if (refined)
-    if (Status status = refine(grid); !status) return status.error();
-  if (progress && (refined || grid.columns == 1)) progress(1.0);
+    if (Status status = refine(grid, part_of(progress, 0.3, 0.9)); !status) return status.error();
+  if (progress && (refined || grid.columns == 1) && !progress(1.0)) return cancelled();
 
   LobeTable result = pack(grid);
   Status status = check_lobes(brdf, result);

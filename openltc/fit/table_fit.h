@@ -5,13 +5,13 @@
 
 #pragma once
 
+#include "openltc/base/progress.h"
 #include "openltc/base/result.h"
 #include "openltc/brdf/brdf.h"
-#include "openltc/fit/error.h"
 #include "openltc/fit/lobe_fit.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/table/lobe_table.h"
 
-#include <functional>
 #include <optional>
 
 namespace openltc::fit {
@@ -45,15 +45,15 @@ GrazingRow grazing_row(int rows, table::AngleAxis axis);
 /// The cosine of the view angle at a position 0..1 of an axis.
 double cosine_at(double position, table::AngleAxis axis);
 
-/// Fits a table. `progress` (may be empty) is called with the share done, 0..1, from any thread,
-/// one call at a time. The result depends neither on the number of threads nor on the instruction
-/// set; every coefficient is rounded to six decimal digits, so that it hardly depends on the last
+/// Fits a table. The result depends neither on the number of threads nor on the instruction set;
+/// every coefficient is rounded to six decimal digits, so that it hardly depends on the last
 /// bits of a maths library either. complete_metadata completes what it says about itself.
 ///
 /// Fails with one line when the BRDF is not finite, negative or without energy, and when no lobe
-/// between the nodes could be kept from turning inside out.
+/// between the nodes could be kept from turning inside out; or when `progress` asks it to stop,
+/// which is noticed between rows and between the steps of a refinement.
 Result<table::LobeTable> fit_table(const brdf::Brdf& brdf, const TableFitOptions& options,
-                                   const std::function<void(double)>& progress = {});
+                                   const Progress& progress = {});
 
 /// Fills in what a table or polynomial says about itself: its errors rounded to four digits, the
 /// version of the tool, and the command that makes the same again.

@@ -74,13 +74,6 @@ Vec3f blue_red(float t) {
 
 } // namespace
 
-std::optional<Colormap> colormap_from_name(std::string_view name) {
-  if (name == "magma") return Colormap::magma;
-  if (name == "viridis") return Colormap::viridis;
-  if (name == "blue_red") return Colormap::blue_red;
-  return std::nullopt;
-}
-
 Vec3f map_color(Colormap map, float t) {
   t = t > 0.0f ? std::min(t, 1.0f) : 0.0f;
   if (map == Colormap::magma) return look_up(k_magma, t);

@@ -8,9 +8,6 @@
 
 #include "openltc/image/image.h"
 
-#include <optional>
-#include <string_view>
-
 namespace openltc::image {
 
 enum class Colormap {
@@ -19,9 +16,6 @@ enum class Colormap {
   blue_red, ///< diverging: blue below, near white at 1/2, red above; same lightness at equal
             ///< distance
 };
-
-/// "magma", "viridis", "blue_red".
-std::optional<Colormap> colormap_from_name(std::string_view name);
 
 /// Display-encoded (sRGB) colour of t; t outside of [0, 1] is clamped, NaN counts as 0.
 /// The luminance of magma and viridis increases with t; that of blue_red up to 1/2 and then

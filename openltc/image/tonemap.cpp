@@ -6,18 +6,13 @@
 #include "openltc/image/file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <utility>
 
 namespace openltc::image {
 
 namespace {
-
-constexpr std::array<std::pair<Tonemap, std::string_view>, 3> k_names = {
-    {{Tonemap::neutral, "neutral"}, {Tonemap::aces, "aces"}, {Tonemap::none, "none"}}};
 
 // The saturation-based sensitivity's 78 / (100 q) with lens factor q = 0.65.
 constexpr float k_saturation = 1.2f;
@@ -96,18 +91,6 @@ float auto_exposure(const Image& image, const AutoExposureOptions& options) {
     sum += std::log(double(values[i]));
   const double mean = std::exp(sum / double(values.size() - 2 * margin));
   return exposure_below_white(image, usable(double(options.middle_grey) / mean), options);
-}
-
-std::optional<Tonemap> tonemap_from_name(std::string_view name) {
-  for (const auto& [tonemap, n] : k_names)
-    if (n == name) return tonemap;
-  return std::nullopt;
-}
-
-std::string_view tonemap_name(Tonemap tonemap) {
-  for (const auto& [t, name] : k_names)
-    if (t == tonemap) return name;
-  return "";
 }
 
 // Khronos Group, "PBR Neutral Tone Mapper" specification, 2024 (Emmett Lalish). With the smallest

@@ -8,8 +8,6 @@
 #include "openltc/image/image.h"
 
 #include <limits>
-#include <optional>
-#include <string_view>
 
 namespace openltc::image {
 
@@ -58,10 +56,6 @@ float exposure_below_white(const Image& image, float exposure,
                            const AutoExposureOptions& options = {});
 
 enum class Tonemap { neutral, aces, none };
-
-/// "neutral", "aces", "none".
-std::optional<Tonemap> tonemap_from_name(std::string_view name);
-std::string_view tonemap_name(Tonemap tonemap);
 
 /// Display-linear RGB in [0, 1] from exposed scene-linear RGB; negative input counts as 0.
 Vec3f apply_tonemap(Vec3f rgb, Tonemap tonemap);

@@ -15,9 +15,10 @@
 
 #include "openltc/light/emission_stack.h"
 
-#include "openltc/image/file.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
 #include "openltc/light/emitter.h"
+#include "openltc/light/line.h"
 #include "openltc/light/picture_part.h"
 #include "openltc/light/polygon.h"
 
@@ -42,7 +43,6 @@ void copy3(float* out, Vec3d v) {
   out[1] = float(v.y);
   out[2] = float(v.z);
 }
-float sane(float x) { return x > 0 ? std::min(x, std::numeric_limits<float>::max()) : 0.0f; }
 
 // A plane with a frame: the picture's u axis and what is across it.
 struct PlaneFrame {
@@ -107,19 +107,6 @@ bool make_frame(const Emitter& light, Vec3d origin, Vec3d normal, PlaneFrame& fr
   const Vec3d across = cross(normal, frame.u);
   frame.v = dot(across, to_double(light.texture_v)) < 0 ? -across : across;
   return true;
-}
-
-image::Image sane_rgb(const image::Image& from) {
-  image::Image result(from.width, from.height, 3);
-  for (int y = 0; y < from.height; ++y)
-    for (int x = 0; x < from.width; ++x) {
-      const Vec3f value = from.rgb(x, y);
-      float* to = result.pixel(x, y);
-      to[0] = sane(value.x);
-      to[1] = sane(value.y);
-      to[2] = sane(value.z);
-    }
-  return result;
 }
 
 int power_of_two_at_least(double x) {
@@ -418,13 +405,6 @@ void place_picture(PolygonLight& light, int texture, Vec3f u_axis) {
 
 void place_picture(EllipseLight& light, int texture, Vec3f u_axis) {
   place(light, texture, u_axis, to_double(light.center), normal_of(light));
-}
-
-Result<image::Image> read_emission_picture(const std::string& path) {
-  auto picture = image::read(path);
-  if (!picture.ok()) return picture.error();
-  if (picture->empty()) return Error{path + ": the picture is empty"};
-  return sane_rgb(*picture);
 }
 
 } // namespace openltc::light

@@ -65,8 +65,4 @@ Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Texels
 void place_picture(PolygonLight& light, int texture, Vec3f u_axis);
 void place_picture(EllipseLight& light, int texture, Vec3f u_axis);
 
-/// Reads a picture to be an emission: .exr, .hdr, .png, .jpg as image::read does, 3 channels;
-/// negative values and those that are not a number become 0. The error names the file.
-Result<image::Image> read_emission_picture(const std::string& path);
-
 } // namespace openltc::light

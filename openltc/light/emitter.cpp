@@ -19,6 +19,8 @@ bool is_place(Vec3f p) { // false for NaN
   return std::abs(p.x) <= k_limit && std::abs(p.y) <= k_limit && std::abs(p.z) <= k_limit;
 }
 
+bool is_extent(double metres) { return metres > 1e-12 && metres <= k_max_metres; }
+
 bool is_non_negative(Vec3f v) { return v.x >= 0 && v.y >= 0 && v.z >= 0; }
 
 bool is_unit(Vec3f v) { return std::abs(length(to_double(v)) - 1) < 1e-3; }

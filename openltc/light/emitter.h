@@ -16,6 +16,8 @@ bool is_finite(Vec3f v);
 /// Whether `p` is finite and no further out than a light of the largest size can reach from the
 /// scene's own origin: 4 k_max_metres along each axis.
 bool is_place(Vec3f p);
+/// Whether a size has a length that shading can square: between 1e-12 m and k_max_metres.
+bool is_extent(double metres);
 bool is_non_negative(Vec3f v);
 bool is_unit(Vec3f v); ///< within 1e-3
 

@@ -87,7 +87,7 @@ struct LineLight : Emitter {
   Vec3f intensity_per_metre{1, 1, 1};      ///< cd/m, seen at a right angle to the line
 };
 
-struct IesProfile; // light/ies.h
+struct IesProfile; // light/photometry/ies.h
 
 enum class PunctualType { point, spot, directional };
 

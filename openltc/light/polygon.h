@@ -30,7 +30,4 @@ Vec3f flux_lumens(const PolygonLight& light);
 /// vertices off the plane, negative radiance, no area.
 Status validate(const PolygonLight& light);
 
-/// The same for a light without extent.
-Status validate(const PunctualLight& light);
-
 } // namespace openltc::light

@@ -134,11 +134,4 @@ scene::Mesh lobe_mesh(const f64::Lobe& lobe, double scale, const DirectionColor&
   return wrap(lobe, color, size, false, [&](Vec3d w) { return f64::eval_lobe(lobe, w) / scale; });
 }
 
-scene::Mesh ball_mesh(Vec3d center, double radius, Vec3f color) {
-  scene::Mesh mesh = sphere_mesh(f64::cosine_lobe(), [&](Vec3d) { return color; }, {32, 48});
-  for (Vec3f& p : mesh.positions)
-    p = p * float(radius) + to_float(center);
-  return mesh;
-}
-
 } // namespace openltc::plot

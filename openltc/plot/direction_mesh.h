@@ -33,7 +33,4 @@ scene::Mesh sphere_mesh(const f64::Lobe& lobe, const DirectionColor& color,
 scene::Mesh lobe_mesh(const f64::Lobe& lobe, double scale, const DirectionColor& color,
                       DirectionMeshSize size = {});
 
-/// A ball, e.g. to find a place in a picture again.
-scene::Mesh ball_mesh(Vec3d center, double radius, Vec3f color);
-
 } // namespace openltc::plot

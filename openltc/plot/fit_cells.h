@@ -7,8 +7,8 @@
 #pragma once
 
 #include "openltc/base/result.h"
-#include "openltc/fit/error.h"
-#include "openltc/fit/lobe_view.h"
+#include "openltc/fit/measure/error.h"
+#include "openltc/fit/report/lobe_view.h"
 
 #include <vector>
 

@@ -52,7 +52,8 @@ double fitting_length(const View& view, const f64::Lobe& lobe, double peak) {
   return std::min(k_lobe_length, k_lobe_reach / std::max(reach, 1e-3));
 }
 
-Status draw_sphere(Figure& figure, Vec2d center, const f64::Lobe& lobe, const LobeFacts& facts) {
+Status draw_sphere(draw::Figure& figure, Vec2d center, const f64::Lobe& lobe,
+                   const LobeFacts& facts) {
   const Space space{
       view_from(k_azimuth_degrees, k_elevation_degrees, k_sphere_margin, k_sphere_margin), center,
       k_sphere_radius};
@@ -70,8 +71,8 @@ Status draw_sphere(Figure& figure, Vec2d center, const f64::Lobe& lobe, const Lo
   return Success{};
 }
 
-Status draw_lobe(Figure& figure, Vec2d origin, const LobeMatrix& matrix, const f64::Lobe& lobe,
-                 const LobeFacts& facts, bool label_axes) {
+Status draw_lobe(draw::Figure& figure, Vec2d origin, const LobeMatrix& matrix,
+                 const f64::Lobe& lobe, const LobeFacts& facts, bool label_axes) {
   Space space{view_from(k_azimuth_degrees, k_elevation_degrees, 1.34, 0.92), origin, k_lobe_unit};
   // The horizon lies in the lower part of the window.
   constexpr double k_raised = 0.36;
@@ -116,7 +117,7 @@ Status draw_lobe(Figure& figure, Vec2d origin, const LobeMatrix& matrix, const f
       continue;
     const char* const names[3] = {"*M* x", "*M* y", "*M* z"};
     draw_text(figure, label + Vec2d(0, 3.5), names[axis],
-              {10.5, Anchor::middle, k_axis_inks[axis], false, false, 0, true});
+              {10.5, draw::Anchor::middle, k_axis_inks[axis], false, false, 0, true});
   }
   return Success{};
 }
@@ -128,7 +129,7 @@ Vec3f density_color(double share) {
   return {image::linear_from_srgb(c.x), image::linear_from_srgb(c.y), image::linear_from_srgb(c.z)};
 }
 
-Status draw_lobe_panel(Figure& figure, Vec2d corner, const LobeMatrix& matrix,
+Status draw_lobe_panel(draw::Figure& figure, Vec2d corner, const LobeMatrix& matrix,
                        const LobeFacts& facts, bool label_axes) {
   const f64::Lobe lobe = lobe_of_matrix(matrix);
   if (Status status = draw_sphere(figure, corner + Vec2d(50, 74), lobe, facts); !status)

@@ -15,7 +15,7 @@ namespace openltc::plot {
 inline constexpr double k_lobe_panel_width = 234, k_lobe_panel_height = 146;
 
 /// Draws the panel with its upper left corner at `corner`. `label_axes`: names at the arrows.
-Status draw_lobe_panel(Figure& figure, Vec2d corner, const LobeMatrix& matrix,
+Status draw_lobe_panel(draw::Figure& figure, Vec2d corner, const LobeMatrix& matrix,
                        const LobeFacts& facts, bool label_axes);
 
 /// Inks of the arrows M x, M y, M z.

@@ -12,13 +12,13 @@ namespace openltc::plot {
 
 namespace {
 
-struct Placement {
+struct Places {
   Vec3d camera, light;
 };
 
 double theta_rad(const PointSetup& setup) { return setup.theta_degrees * f64::k_pi / 180; }
 
-Placement place(const PointSetup& setup) {
+Places place(const PointSetup& setup) {
   const double y = setup.distance_m * std::cos(theta_rad(setup));
   const double z = setup.distance_m * std::sin(theta_rad(setup));
   return {Vec3d(0, y, z), Vec3d(0, y, -z)};
@@ -35,7 +35,7 @@ Vec3d up_of(const PointSetup& setup) {
 // The specular luminance where a ray meets the floor, up to a factor. The ray's slopes are those to
 // the right of the camera's axis and above it.
 double highlight(const PointSetup& setup, double roughness, double right, double above) {
-  const Placement at = place(setup);
+  const Places at = place(setup);
   const Vec3d d = forward_of(setup) + Vec3d(1, 0, 0) * right + up_of(setup) * above;
   const Vec3d point = at.camera - d * (at.camera.y / d.y), to_light = at.light - point;
   const Vec3d wo_world = normalize(-d);
@@ -89,7 +89,7 @@ Vec2d floor_at(const PointSetup& setup, const PointView& view, int column, int r
 
 PointLuminance shade_floor(const PointSetup& setup, double roughness,
                            const fit::LobeFunction& lobes, Vec2d floor) {
-  const Placement at = place(setup);
+  const Places at = place(setup);
   const Vec3d normal(0, 1, 0), point(floor.x, 0, floor.y);
   const Vec3d wo = normalize(at.camera - point), to_light = at.light - point;
   const double f0 = setup.f0 * (1 - setup.metallic) + setup.base_color * setup.metallic;

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/image/image.h"
 #include "openltc/render/renderer.h"
 #include "openltc/scene/scene.h"

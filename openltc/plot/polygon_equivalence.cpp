@@ -8,9 +8,9 @@
 #include "openltc/plot/polygon_equivalence.h"
 
 #include "openltc/base/sampling.h"
-#include "openltc/fit/polygon_integral.h"
+#include "openltc/fit/measure/polygon_integral.h"
 #include "openltc/plot/lobe_quadrature.h"
-#include "openltc/scene/simple_outline.h"
+#include "openltc/scene/emissive/simple_outline.h"
 
 #include <fmt/format.h>
 

@@ -17,28 +17,29 @@ namespace {
 
 constexpr double k_margin = 1.02; // of the picture around the sphere
 constexpr int k_pixels = 640;
-const Pen k_unseen = {"none", 0, "", 0};
+const draw::Pen k_unseen = {"none", 0, "", 0};
 
 // The part of a polygon on the viewer's half of the sphere. Cut at that plane its corners still
 // follow great circles: the rim is one.
-void draw_front(Figure& figure, const Space& space, std::span<const Vec3d> corners,
-                const Pen& style) {
+void draw_front(draw::Figure& figure, const Space& space, std::span<const Vec3d> corners,
+                const draw::Pen& style) {
   const std::vector<Vec3d> front = clip_to_plane(corners, space.view.towards);
   if (front.size() >= 3) draw_area(figure, space, outline_on_sphere(front), style);
 }
 
 // What a half sphere hides of the viewer's half.
-void veil(Figure& figure, const Space& space, Vec3d normal) {
+void veil(draw::Figure& figure, const Space& space, Vec3d normal) {
   draw_area(figure, space, seen_half(-normal, space.view.towards), filled("paper", 0.62));
 }
 
-void draw_dots(Figure& figure, std::span<const Vec2d> places, bool inside) {
+void draw_dots(draw::Figure& figure, std::span<const Vec2d> places, bool inside) {
   const double size = inside ? 3.2 : 2.2;
-  draw_dots(figure, places, Pen{"#000000", size + 1.1, "", 0.75});
-  draw_dots(figure, places, Pen{inside ? "#ff7a45" : "#ffffff", size});
+  draw_dots(figure, places, draw::Pen{"#000000", size + 1.1, "", 0.75});
+  draw_dots(figure, places, draw::Pen{inside ? "#ff7a45" : "#ffffff", size});
 }
 
-void draw_samples(Figure& figure, const Space& space, const PolygonSpace& polygon, bool inside) {
+void draw_samples(draw::Figure& figure, const Space& space, const PolygonSpace& polygon,
+                  bool inside) {
   std::vector<Vec2d> places;
   for (std::size_t i = 0; i < polygon.samples.size(); ++i)
     if (polygon.inside[i] == inside && !sphere_hides(space.view, 1, polygon.samples[i]))
@@ -46,7 +47,7 @@ void draw_samples(Figure& figure, const Space& space, const PolygonSpace& polygo
   draw_dots(figure, places, inside);
 }
 
-void draw_axis(Figure& figure, const Space& space, Vec3d direction, const char* ink,
+void draw_axis(draw::Figure& figure, const Space& space, Vec3d direction, const char* ink,
                const char* label, const Visibility& is_visible, bool even_if_hidden) {
   const Vec3d tip = direction * 1.22;
   if (!is_visible(tip) && !even_if_hidden) return;
@@ -55,7 +56,7 @@ void draw_axis(Figure& figure, const Space& space, Vec3d direction, const char* 
   const Vec2d at = place(space, tip), way = at - space.center;
   const Vec2d beyond = at + way * (11 / std::max(std::hypot(way.x, way.y), 11.0));
   draw_text(figure, beyond + Vec2d(0, 4.5), label,
-            {13.5, Anchor::middle, ink, false, false, 0, true});
+            {13.5, draw::Anchor::middle, ink, false, false, 0, true});
 }
 
 } // namespace
@@ -72,7 +73,7 @@ View polygon_view(const PolygonEquivalence& spaces, Vec3d lobe_direction) {
   return view_from(azimuth, height > 60 ? 50 : 31, k_margin, k_margin);
 }
 
-Status draw_polygon_panel(Figure& figure, const View& view, Vec2d center, double radius,
+Status draw_polygon_panel(draw::Figure& figure, const View& view, Vec2d center, double radius,
                           const PolygonPanel& panel) {
   const Space space{view, center, radius};
   const PolygonSpace& polygon = panel.polygon;
@@ -113,13 +114,13 @@ Status draw_polygon_panel(Figure& figure, const View& view, Vec2d center, double
   return Success{};
 }
 
-void define_hatch(Figure& figure) {
+void define_hatch(draw::Figure& figure) {
   figure.body += "<pattern id=\"hatch\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
                  "patternTransform=\"rotate(45)\"><path class=\"s-soft\" stroke-width=\"1.5\" "
                  "stroke-opacity=\".8\" d=\"M0 3h6\"/></pattern>\n";
 }
 
-void draw_sample_sign(Figure& figure, Vec2d at, bool inside) {
+void draw_sample_sign(draw::Figure& figure, Vec2d at, bool inside) {
   draw_dots(figure, {&at, 1}, inside);
 }
 

@@ -27,14 +27,14 @@ struct PolygonPanel {
 View polygon_view(const PolygonEquivalence& spaces, Vec3d lobe_direction);
 
 /// Draws the panel around `center`, the sphere `radius` figure units large.
-Status draw_polygon_panel(Figure& figure, const View& view, Vec2d center, double radius,
+Status draw_polygon_panel(draw::Figure& figure, const View& view, Vec2d center, double radius,
                           const PolygonPanel& panel);
 
 /// The fill of what is cut off, once it is defined in the figure.
 inline constexpr const char* k_hatch = "url(#hatch)";
-void define_hatch(Figure& figure);
+void define_hatch(draw::Figure& figure);
 
 /// A dot as the panels draw samples, for their key.
-void draw_sample_sign(Figure& figure, Vec2d at, bool inside);
+void draw_sample_sign(draw::Figure& figure, Vec2d at, bool inside);
 
 } // namespace openltc::plot

@@ -56,8 +56,8 @@ Vec2d place(const Space& space, Vec3d point) {
           space.center.y - p.y * space.view.half_height * space.unit};
 }
 
-Status draw_solids(Figure& figure, const Space& space, std::span<const Solid> solids, int pixels,
-                   bool few_colors) {
+Status draw_solids(draw::Figure& figure, const Space& space, std::span<const Solid> solids,
+                   int pixels, bool few_colors) {
   SolidPictureOptions options;
   options.width = pixels;
   const Result<image::Image> picture = render_solids(solids, space.view, options);
@@ -66,27 +66,29 @@ Status draw_solids(Figure& figure, const Space& space, std::span<const Solid> so
   const double half_height = half_width * picture->height / picture->width;
   const Vec2d corner(space.center.x - half_width, space.center.y - half_height);
   const Vec2d size(2 * half_width, 2 * half_height);
-  return few_colors ? draw_picture(figure, corner, size, image::reduce_colors(*picture))
+  return few_colors ? draw_picture(figure, corner, size, draw::reduce_colors(*picture))
                     : draw_picture(figure, corner, size, *picture);
 }
 
-void draw_line(Figure& figure, const Space& space, std::span<const Vec3d> points,
-               const Visibility& is_visible, const Pen& seen, const Pen& hidden) {
+void draw_line(draw::Figure& figure, const Space& space, std::span<const Vec3d> points,
+               const Visibility& is_visible, const draw::Pen& seen, const draw::Pen& hidden) {
   for (const Stroke& stroke : cut_by_visibility(points, is_visible)) {
-    const Pen& style = stroke.visible ? seen : hidden;
+    const draw::Pen& style = stroke.visible ? seen : hidden;
     if (style.opacity > 0) draw_path(figure, places(space, stroke.points), style);
   }
 }
 
-Pen filled(const std::string& color, double opacity) { return {"none", 0, "", 1, color, opacity}; }
+draw::Pen filled(const std::string& color, double opacity) {
+  return {"none", 0, "", 1, color, opacity};
+}
 
-void draw_area(Figure& figure, const Space& space, std::span<const Vec3d> outline,
-               const Pen& style) {
+void draw_area(draw::Figure& figure, const Space& space, std::span<const Vec3d> outline,
+               const draw::Pen& style) {
   draw_path(figure, places(space, outline), style, true);
 }
 
-void draw_arrow(Figure& figure, const Space& space, Vec3d from, Vec3d to,
-                const Visibility& is_visible, const Pen& seen, const Pen& hidden) {
+void draw_arrow(draw::Figure& figure, const Space& space, Vec3d from, Vec3d to,
+                const Visibility& is_visible, const draw::Pen& seen, const draw::Pen& hidden) {
   const Vec2d start = place(space, from), tip = place(space, to);
   const Vec2d way = tip - start;
   const double l = std::hypot(way.x, way.y);
@@ -99,7 +101,7 @@ void draw_arrow(Figure& figure, const Space& space, Vec3d from, Vec3d to,
   const Vec2d back = tip - along * head;
   const std::vector<Vec2d> triangle = {tip, back + across * (0.42 * head),
                                        back - across * (0.42 * head)};
-  const Pen& style = is_visible(to) ? seen : hidden;
+  const draw::Pen& style = is_visible(to) ? seen : hidden;
   draw_path(figure, triangle, filled(style.color, style.opacity), true);
 }
 

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "openltc/plot/figure.h"
+#include "openltc/draw/figure.h"
 #include "openltc/plot/solid_picture.h"
 #include "openltc/plot/view.h"
 
@@ -29,21 +29,21 @@ using Visibility = std::function<bool(Vec3d)>;
 
 /// A picture of solids in the space's window. `few_colors` takes a quarter of the bytes; colours
 /// that vary in more than one way then show steps.
-Status draw_solids(Figure& figure, const Space& space, std::span<const Solid> solids, int pixels,
-                   bool few_colors);
+Status draw_solids(draw::Figure& figure, const Space& space, std::span<const Solid> solids,
+                   int pixels, bool few_colors);
 
 /// A line, of fine steps where what is in front of it is; hidden parts in a style of their own.
-void draw_line(Figure& figure, const Space& space, std::span<const Vec3d> points,
-               const Visibility& is_visible, const Pen& seen, const Pen& hidden);
+void draw_line(draw::Figure& figure, const Space& space, std::span<const Vec3d> points,
+               const Visibility& is_visible, const draw::Pen& seen, const draw::Pen& hidden);
 
-void draw_area(Figure& figure, const Space& space, std::span<const Vec3d> outline,
-               const Pen& style);
+void draw_area(draw::Figure& figure, const Space& space, std::span<const Vec3d> outline,
+               const draw::Pen& style);
 
 /// An area without outline.
-Pen filled(const std::string& color, double opacity = 1);
+draw::Pen filled(const std::string& color, double opacity = 1);
 
 /// A straight arrow; its head is fainter where the tip is hidden.
-void draw_arrow(Figure& figure, const Space& space, Vec3d from, Vec3d to,
-                const Visibility& is_visible, const Pen& seen, const Pen& hidden);
+void draw_arrow(draw::Figure& figure, const Space& space, Vec3d from, Vec3d to,
+                const Visibility& is_visible, const draw::Pen& seen, const draw::Pen& hidden);
 
 } // namespace openltc::plot

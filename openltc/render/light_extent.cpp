@@ -6,6 +6,8 @@
 #include "openltc/render/light_extent.h"
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
 
 #include <algorithm>

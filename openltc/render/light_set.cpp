@@ -4,9 +4,12 @@
 #include "openltc/render/light_set.h"
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
 #include "openltc/light/emitter.h"
-#include "openltc/light/ies.h"
+#include "openltc/light/line.h"
+#include "openltc/light/photometry/ies.h"
 #include "openltc/light/polygon.h"
+#include "openltc/light/punctual.h"
 
 #include <optional>
 #include <type_traits>

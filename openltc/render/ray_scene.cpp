@@ -4,12 +4,12 @@
 #include "openltc/render/ray_scene.h"
 
 #include "openltc/base/address_space.h"
+#include "openltc/base/parallel.h"
 #include "openltc/base/quote.h"
 #include "openltc/render/embree.h"
 #include "openltc/render/surface_point.h"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstring>
@@ -108,7 +108,7 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
   std::unique_ptr<RayScene> result(new RayScene);
   State& state = *result->state_;
   // Embree that gets no memory for its threads, of 8 MiB of stack each, waits for ever.
-  const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
+  const auto threads = std::uint64_t(thread_count());
   if (!has_address_space((std::uint64_t(64) << 20) + threads * (std::uint64_t(16) << 20)))
     return Error{"not enough memory to start Embree; raise the limit (ulimit -v)"};
   const RTCDevice device = embree_device();
@@ -157,8 +157,7 @@ Result<std::unique_ptr<RayScene>> RayScene::create(const scene::Scene& scene,
   // One thread builds: a parallel build may order triangles differently from run to run, and where
   // surfaces coincide the picture would follow. (Ubuntu 22.04's Embree links an older TBB than ours
   // and does not notice; only there coincident surfaces may differ from run to run.)
-  tbb::task_arena one_thread(1);
-  one_thread.execute([&] { rtcCommitScene(state.scene); });
+  parallel_for(1, 1, [&](std::int64_t) { rtcCommitScene(state.scene); });
   const RTCError error = rtcGetDeviceError(device);
   if (error != RTC_ERROR_NONE)
     return Error{fmt::format("Embree cannot build the scene (error {})", int(error))};

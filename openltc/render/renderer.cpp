@@ -353,13 +353,13 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const auto render_start = std::chrono::steady_clock::now();
   const int columns = (options.width + k_tile - 1) / k_tile;
   const int rows = (options.height + k_tile - 1) / k_tile;
-  {
-    Progress progress("rendering", std::int64_t(columns) * rows, options.quiet);
-    parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
-      Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, work);
-      progress.add(1);
-    });
-  }
+  ProgressCount done(std::int64_t(columns) * rows, options.progress);
+  parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
+    if (done.is_cancelled()) return;
+    Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, work);
+    done.add(1);
+  });
+  if (done.is_cancelled()) return cancelled();
   const double points = double(std::max<std::int64_t>(work.points, 1));
   picture.lights_per_point = double(work.exact) / points;
   picture.far_groups_per_point = double(work.far) / points;

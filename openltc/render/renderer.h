@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/base/progress.h"
 #include "openltc/base/result.h"
 #include "openltc/image/image.h"
 #include "openltc/render/shading_kernel.h"
@@ -44,7 +45,7 @@ struct RenderOptions {
   std::uint32_t seed = 0;
   int threads = 0;             ///< 0 = all cores; the picture does not depend on it
   std::string kernel = "auto"; ///< "auto" or a name of kernel_by_name
-  bool quiet = true;           ///< no progress on stderr
+  Progress progress;           ///< of render(): told of each tile that is done; may stop it
 };
 
 /// Where shading has its lobes from: a table or a polynomial. A view; what it was made of must
@@ -76,7 +77,8 @@ struct Picture {
 };
 
 /// Renders `scene` from `camera`, with exactly the lights of scene.lights.
-/// Fails with one line when an option is out of range, memory is short or the user interrupts.
+/// Fails with one line when an option is out of range, memory is short or options.progress asks it
+/// to stop.
 Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
                        const LobeSource& lobes, const RenderOptions& options);
 

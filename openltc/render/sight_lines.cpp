@@ -3,7 +3,7 @@
 
 #include "openltc/render/sight_lines.h"
 
-#include "openltc/scene/backdrop.h"
+#include "openltc/scene/view/backdrop.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "openltc/render/sight_lines.h"
 #include "openltc/render/view_samples.h"
-#include "openltc/scene/studio.h"
-#include "openltc/scene/subject.h"
+#include "openltc/scene/view/studio.h"
+#include "openltc/scene/view/subject.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include "openltc/base/parallel.h"
 #include "openltc/render/sight_lines.h"
 #include "openltc/render/view_samples.h"
-#include "openltc/scene/framing.h"
-#include "openltc/scene/subject.h"
+#include "openltc/scene/view/framing.h"
+#include "openltc/scene/view/subject.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,10 @@
 #include "openltc/base/sampling.h"
 #include "openltc/image/tonemap.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
-#include "openltc/scene/backdrop.h"
+#include "openltc/scene/view/backdrop.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "openltc/render/sight_lines.h"
-#include "openltc/scene/subject.h"
+#include "openltc/scene/view/subject.h"
 
 #include <array>
 #include <vector>

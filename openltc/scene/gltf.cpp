@@ -3,8 +3,8 @@
 
 #include "openltc/scene/gltf.h"
 
-#include "openltc/scene/gltf_import.h"
-#include "openltc/scene/gltf_uri.h"
+#include "openltc/scene/gltf/file/uri.h"
+#include "openltc/scene/gltf/import.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
-#include "openltc/scene/emissive.h"
+#include "openltc/scene/emissive/emissive.h"
 #include "openltc/scene/read_options.h"
 #include "openltc/scene/scene.h"
 

@@ -11,7 +11,7 @@
 //
 // The profile's own frame: z to the pole of the file's angles, x at azimuth 0, y at 90 degrees; with
 // up = -z, y = cross(up, x). For type C that is the light's own frame, z to the nadir; for types A
-// and B it lies across (light/ies.h), so that those are interpolated in their own angles as well.
+// and B it lies across (light/photometry/ies.h), so that those are interpolated in their own angles as well.
 //
 // The prelude of each target gives
 //   Vec2 profile_size(Profile)           columns, rows

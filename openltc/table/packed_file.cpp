@@ -5,9 +5,9 @@
 
 #include "openltc/base/atomic_file.h"
 #include "openltc/base/regular_file.h"
-#include "openltc/table/container.h"
-#include "openltc/table/description.h"
-#include "openltc/table/source_code.h"
+#include "openltc/table/container/container.h"
+#include "openltc/table/container/description.h"
+#include "openltc/table/container/source_code.h"
 #include "openltc/table/table_file.h"
 
 #include <fmt/format.h>

@@ -5,8 +5,8 @@
 
 #include "openltc/base/atomic_file.h"
 #include "openltc/base/regular_file.h"
-#include "openltc/table/lobe_json.h"
-#include "openltc/table/polynomial_source.h"
+#include "openltc/table/container/lobe_json.h"
+#include "openltc/table/container/polynomial_source.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 #include "openltc/table/table_file.h"
 
 #include "openltc/base/atomic_file.h"
-#include "openltc/table/description.h"
-#include "openltc/table/lobe_json.h"
+#include "openltc/table/container/description.h"
+#include "openltc/table/container/lobe_json.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 #include "openltc/base/file_place.h"
-#include "openltc/base/regular_file.h"
 #include "tests/base/folder.h"
 
 #include <doctest/doctest.h>
@@ -41,18 +40,4 @@ TEST_CASE("a_place_is_the_same_however_it_is_spelled") {
   CHECK(place_of("x") == there);
   CHECK(place_of("./new") == to_be);
   fs::current_path(before);
-}
-
-TEST_CASE("what_was_read_is_remembered_once_a_tool_asks_for_it") {
-  const Folder folder;
-  put_text(folder.file("before"), "x");
-  put_text(folder.file("after"), "x");
-  REQUIRE(read_regular_text(folder.file("before")).ok());
-  CHECK_FALSE(is_input(place_of(folder.file("before"))));
-  remember_inputs();
-  REQUIRE(read_regular_text(folder.file("after")).ok());
-  CHECK(is_input(place_of(folder.file("./after"))));
-  CHECK_FALSE(is_input(place_of(folder.file("before"))));
-  note_input(folder.file("named only"));
-  CHECK(is_input(place_of(folder.file("named only"))));
 }

@@ -40,3 +40,17 @@ TEST_CASE("never_more_threads_than_asked_for") {
     CHECK(most <= threads);
   }
 }
+
+TEST_CASE("a_loop_in_a_loop_keeps_to_the_threads_of_the_outer_one") {
+  parallel_for(1, 1, [&](std::int64_t) {
+    CHECK(thread_count() == 1);
+    const std::thread::id outer = std::this_thread::get_id();
+    std::atomic<int> elsewhere{0}, done{0};
+    parallel_for(100, 0, [&](std::int64_t) {
+      ++done;
+      elsewhere += std::this_thread::get_id() != outer;
+    });
+    CHECK(done == 100);
+    CHECK(elsewhere == 0);
+  });
+}

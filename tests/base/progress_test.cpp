@@ -6,62 +6,61 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <string>
-#include <unistd.h>
+#include <vector>
 
 using namespace openltc;
 
-namespace {
-
-// What is written to stderr while `work` runs; stderr is then no terminal.
-template <class Work> std::string written_to_stderr(const Work& work) {
-  std::FILE* file = std::tmpfile();
-  REQUIRE(file != nullptr);
-  std::fflush(stderr);
-  const int saved = dup(2);
-  dup2(fileno(file), 2);
-  work();
-  std::fflush(stderr);
-  dup2(saved, 2);
-  close(saved);
-  std::rewind(file);
-  std::string text;
-  for (int c; (c = std::fgetc(file)) != EOF;)
-    text += char(c);
-  std::fclose(file);
-  return text;
+TEST_CASE("progress_rises_to_one_from_many_threads") {
+  std::vector<double> shares;
+  ProgressCount count(1000, [&](double share) {
+    shares.push_back(share); // one call at a time
+    return true;
+  });
+  parallel_for(1000, 2, [&](std::int64_t) { count.add(1); });
+  REQUIRE(shares.size() == 1000);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    CHECK(shares[i] == double(i + 1) / 1000);
+  CHECK_FALSE(count.is_cancelled());
 }
 
-void work_of(std::int64_t total, std::int64_t done, bool quiet) {
-  Progress progress("baking", total, quiet);
-  parallel_for(done, 2, [&](std::int64_t) { progress.add(1); });
+TEST_CASE("a_job_that_is_asked_to_stop_stops_and_is_not_asked_again") {
+  int calls = 0;
+  ProgressCount count(10, [&](double share) {
+    ++calls;
+    return share < 0.25;
+  });
+  int done = 0;
+  for (; done < 10 && !count.is_cancelled(); ++done)
+    count.add(1);
+  CHECK(done == 3);
+  count.add(1);
+  CHECK(calls == 3);
 }
 
-} // namespace
-
-TEST_CASE("quiet_progress_prints_nothing") {
-  CHECK(written_to_stderr([] { work_of(1000, 1000, true); }).empty());
-  CHECK(written_to_stderr([] { work_of(0, 0, true); }).empty());
+TEST_CASE("progress_of_parts_covers_the_whole") {
+  std::vector<double> shares;
+  const Progress whole = [&](double share) {
+    shares.push_back(share);
+    return share < 1.0;
+  };
+  ProgressCount first(2, part_of(whole, 0.0, 0.5)), second(1, part_of(whole, 0.5, 1.0));
+  first.add(1);
+  first.add(1);
+  second.add(1);
+  CHECK(shares == std::vector<double>{0.25, 0.5, 1.0});
+  CHECK_FALSE(first.is_cancelled());
+  CHECK(second.is_cancelled());
 }
 
-TEST_CASE("progress_is_a_few_plain_lines_where_there_is_no_terminal") {
-  const std::string text = written_to_stderr([] { work_of(100000, 100000, false); });
-  const auto lines = std::count(text.begin(), text.end(), '\n');
-  CHECK(lines >= 1);
-  CHECK(lines <= 4);
-  CHECK(text.find('\r') == std::string::npos);
-  CHECK(text.find('\033') == std::string::npos);
-  CHECK(text.find("baking: done in ") != std::string::npos);
-}
-
-TEST_CASE("progress_that_ends_early_says_so") {
-  const std::string text = written_to_stderr([] { work_of(1000, 300, false); });
-  CHECK(text.find("baking: stopped") != std::string::npos);
-  CHECK(text.find("done") == std::string::npos);
-}
-
-TEST_CASE("progress_of_nothing_is_no_reason_to_divide_by_zero") {
-  CHECK(written_to_stderr([] { work_of(0, 0, false); }).find("nan") == std::string::npos);
+TEST_CASE("progress_that_nobody_asks_for_and_of_nothing_is_fine") {
+  ProgressCount silent(3, part_of({}, 0.0, 0.5));
+  silent.add(3);
+  CHECK_FALSE(silent.is_cancelled());
+  double last = -1;
+  ProgressCount nothing(0, [&](double share) {
+    last = share;
+    return true;
+  });
+  nothing.add(0);
+  CHECK(last == 0);
 }

@@ -5,7 +5,13 @@
 
 #include <doctest/doctest.h>
 
+#include <csignal>
+#include <cstdio>
 #include <memory>
+#include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace openltc;
 
@@ -20,6 +26,29 @@ Status check(int value) {
   const Result<std::unique_ptr<int>> made = make(value);
   if (!made) return made.error();
   return Success{};
+}
+
+// What a process says on standard error that aborts by doing this; "" when it does not abort.
+template <class Work> std::string last_words_of(const Work& work) {
+  std::FILE* words = std::tmpfile();
+  REQUIRE(words != nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGABRT, SIG_DFL); // doctest has a handler of its own
+    const rlimit no_core = {0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    dup2(fileno(words), STDERR_FILENO);
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  std::rewind(words);
+  std::string text;
+  for (int c; (c = std::fgetc(words)) != EOF;)
+    text += char(c);
+  std::fclose(words);
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT ? text : "";
 }
 
 } // namespace
@@ -46,4 +75,12 @@ TEST_CASE("a_result_of_text_tells_its_value_from_its_error") {
   const Result<std::string> value = std::string("text"), error = Error{"text"};
   CHECK(value.ok());
   CHECK_FALSE(error.ok());
+}
+
+TEST_CASE("to_take_what_a_result_has_not_ends_the_program_with_a_message") {
+  const std::string of_value = last_words_of([] { (void)make(-1).value(); });
+  CHECK(of_value.find("value: must not be negative\n") != std::string::npos);
+  CHECK(last_words_of([] { (void)*make(-1); }) == of_value);
+  CHECK_FALSE(last_words_of([] { (void)make(1).error(); }).empty());
+  CHECK(last_words_of([] { (void)make(1).value(); }).empty());
 }

@@ -3,7 +3,7 @@
 //
 // openltc plot error: its numbers are the report's, and what is wrong is said in a line.
 
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/error.h"
 #include "tests/cli/tool.h"
 
 #include <doctest/doctest.h>

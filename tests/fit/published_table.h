@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/error.h"
 
 #include <algorithm>
 #include <cmath>

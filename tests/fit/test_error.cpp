@@ -3,7 +3,7 @@
 //
 // The measured errors against lobes whose distance has a closed form, and what a map promises.
 
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/target/shade_f64.h"
 
 #include <doctest/doctest.h>

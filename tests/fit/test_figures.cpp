@@ -4,7 +4,7 @@
 // The figures that the project promises of its fits, beside those of the table that most engines
 // ship, on the same points and lights.
 
-#include "openltc/fit/light_error.h"
+#include "openltc/fit/measure/light_error.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/fit/table_fit.h"
 #include "openltc/table/layout.h"

@@ -4,7 +4,7 @@
 // A bare texture is told for what it is, in every layout and in the ways in which published ones
 // differ.
 
-#include "openltc/fit/identify.h"
+#include "openltc/fit/measure/identify.h"
 
 #include <doctest/doctest.h>
 

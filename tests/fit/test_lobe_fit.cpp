@@ -3,9 +3,9 @@
 //
 // One node: derivatives, the leak, and fits whose answer is known.
 
-#include "openltc/fit/error.h"
 #include "openltc/fit/lobe_fit.h"
 #include "openltc/fit/lobe_sums.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/target/shade_f64.h"
 
 #include <doctest/doctest.h>

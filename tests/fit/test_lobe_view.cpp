@@ -3,8 +3,8 @@
 //
 // Lobes seen from above: the disc keeps solid angles, and the window holds the lobe.
 
-#include "openltc/fit/error.h"
-#include "openltc/fit/lobe_view.h"
+#include "openltc/fit/measure/error.h"
+#include "openltc/fit/report/lobe_view.h"
 
 #include <doctest/doctest.h>
 

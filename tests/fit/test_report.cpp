@@ -3,7 +3,7 @@
 //
 // The report's writers: complete, well-formed, self-contained, and safe with any text and number.
 
-#include "openltc/fit/report.h"
+#include "openltc/fit/report/report.h"
 #include "openltc/image/file.h"
 
 #include <doctest/doctest.h>

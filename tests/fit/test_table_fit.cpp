@@ -4,7 +4,7 @@
 // Whole tables: the built-in comes from this fitter, its errors are as stated, threads do not
 // matter.
 
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/fit/table_fit.h"
 #include "openltc/table/polynomial_file.h"
@@ -137,11 +137,31 @@ TEST_CASE("progress runs to 1 and wrong sizes are refused") {
   CHECK(fit::fit_table(ggx(), options, [&](double share) {
           rising = rising && share > last;
           last = share;
+          return true;
         }).ok());
   CHECK(rising);
   CHECK(last == 1.0);
   options.size = 1;
   CHECK_FALSE(fit::fit_table(ggx(), options).ok());
+}
+
+TEST_CASE("a fit can be stopped at any time that it reports") {
+  for (const fit::Refine refine : {fit::Refine::off, fit::Refine::on}) {
+    fit::TableFitOptions options;
+    options.size = 4;
+    options.quadrature = {8, 8};
+    options.refine = refine;
+    int reports = 0;
+    const auto count = [&](double) { return ++reports > 0; };
+    REQUIRE(fit::fit_table(ggx(), options, count).ok());
+    for (int stop = 1; stop <= reports; ++stop) {
+      int calls = 0;
+      const auto fitted = fit::fit_table(ggx(), options, [&](double) { return ++calls < stop; });
+      REQUIRE_FALSE(fitted);
+      CHECK(fitted.error().message == "cancelled");
+      CHECK(calls == stop); // asked once, it is not asked again
+    }
+  }
 }
 
 TEST_CASE("a BRDF that is not finite, negative or black is refused in one line") {

@@ -4,7 +4,7 @@
 // Total variation and the amplitude's error bound the error of every light; and the integrals that
 // this is tested with.
 
-#include "openltc/fit/light_error.h"
+#include "openltc/fit/measure/light_error.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/fit/table_fit.h"
 #include "published_table.h"

@@ -5,7 +5,10 @@
 // line that begins with the file's name.
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
+#include "openltc/light/punctual.h"
 #include "openltc/scene/gltf.h"
 
 #include <cmath>

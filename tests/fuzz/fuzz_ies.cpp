@@ -4,8 +4,8 @@
 // Any text as an LM-63 and as an EULUMDAT file: reading ends in a profile whose intensities are
 // finite and not negative, measured and shaded, or in one line that begins with the file's name.
 
-#include "openltc/light/photometry.h"
-#include "openltc/light/photometry_summary.h"
+#include "openltc/light/photometry/photometry.h"
+#include "openltc/light/photometry/photometry_summary.h"
 #include "openltc/target/shade_f32.h"
 
 #include <cmath>

@@ -4,8 +4,8 @@
 // Any bytes as the JSON of a lobe polynomial: they end in a polynomial whose lobes are proper and
 // which is written and read like any other, or in one line that begins with the file's name.
 
+#include "openltc/table/container/polynomial_source.h"
 #include "openltc/table/polynomial_file.h"
-#include "openltc/table/polynomial_source.h"
 #include "openltc/target/shade_f64.h"
 
 #include <cmath>

@@ -4,9 +4,9 @@
 // Any bytes as a table file, the first byte choosing the reader: each ends in a texture or table
 // that keeps its promises or in one line that begins with the file's name.
 
-#include "openltc/table/container.h"
-#include "openltc/table/description.h"
-#include "openltc/table/source_code.h"
+#include "openltc/table/container/container.h"
+#include "openltc/table/container/description.h"
+#include "openltc/table/container/source_code.h"
 #include "openltc/table/table_file.h"
 
 #include <cmath>

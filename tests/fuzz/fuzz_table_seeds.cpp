@@ -4,8 +4,8 @@
 // fuzz_table_seeds FOLDER: writes small valid tables of every layout, precision and container, each
 // after the byte that chooses the reader (fuzz_table.cpp).
 
-#include "openltc/table/container.h"
-#include "openltc/table/description.h"
+#include "openltc/table/container/container.h"
+#include "openltc/table/container/description.h"
 #include "openltc/table/table_file.h"
 
 #include <cstdio>

@@ -3,8 +3,8 @@
 
 // `openltc compare`, run as a user runs it.
 
+#include "openltc/image/compare/flip.h"
 #include "openltc/image/file.h"
-#include "openltc/image/flip.h"
 #include "tests/image/make_exr.h"
 #include "tests/image/make_picture.h"
 

@@ -3,7 +3,8 @@
 
 // FLIP agrees with its authors' own program, and has the properties that its paper promises.
 
-#include "openltc/image/flip.h"
+#include "openltc/image/compare/flip.h"
+#include "openltc/image/compare/flip_comparison.h"
 #include "tests/image/flip_pairs.h"
 #include "tests/image/flip_reference.h"
 #include "tests/image/make_picture.h"
@@ -112,4 +113,39 @@ TEST_CASE("FLIP survives black, NaN, infinite, negative and one-pixel pictures")
   Image white(1, 1, 3);
   white.data = {1, 1, 1};
   CHECK(flip_ldr(white, Image(1, 1, 3)).data[0] == doctest::Approx(0.967392f).epsilon(1e-5));
+}
+
+TEST_CASE("a comparison by FLIP leaves out what is masked or no number, and says how it was made") {
+  Image dark(8, 4, 3), light(8, 4, 3);
+  std::fill(light.data.begin(), light.data.end(), 1.0f);
+  Image half = dark; // the right half differs
+  for (int y = 0; y < 4; ++y)
+    for (int x = 4; x < 8; ++x)
+      std::fill_n(half.pixel(x, y), 3, 1.0f);
+  FlipComparisonOptions options;
+  const FlipComparison all = compare_flip(half, dark, options);
+  CHECK_FALSE(all.is_hdr);
+  CHECK_FALSE(all.ev100);
+  CHECK(all.mean == doctest::Approx(mean_value(all.map)));
+  CHECK(all.max_at.x >= 4);
+
+  const std::vector<std::uint8_t> mask = mask_of(half);
+  options.mask = mask;
+  const FlipComparison right = compare_flip(half, dark, options);
+  CHECK(right.mean > all.mean);
+  CHECK(right.map.data == all.map.data);
+
+  half.pixel(7, 3)[1] = std::numeric_limits<float>::infinity();
+  const FlipComparison broken = compare_flip(half, dark, options);
+  CHECK(std::isnan(broken.map.data.back()));
+  CHECK(std::isfinite(broken.mean));
+
+  options = {};
+  options.scene_linear = true;
+  CHECK(compare_flip(light, dark, options).is_hdr);
+  options.ev100 = 3.0f;
+  const FlipComparison exposed = compare_flip(light, dark, options);
+  CHECK_FALSE(exposed.is_hdr);
+  REQUIRE(exposed.ev100);
+  CHECK(double(*exposed.ev100) == doctest::Approx(3.0));
 }

@@ -3,7 +3,7 @@
 
 // The metrics against values worked out by hand, and their promises.
 
-#include "openltc/image/metrics.h"
+#include "openltc/image/compare/metrics.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>

@@ -74,7 +74,7 @@ TEST_CASE("PBR Neutral keeps hue: a colour stays in the plane of itself and whit
 
 TEST_CASE("every tone map is bounded, keeps black and increases on greys") {
   for (Tonemap tonemap : k_all) {
-    CAPTURE(tonemap_name(tonemap));
+    CAPTURE(int(tonemap));
     CHECK(apply_tonemap(Vec3f(0.0f), tonemap).x == 0.0f);
     float before = -1.0f;
     for (float v = 1e-4f; v < 1e5f; v *= 1.05f) {
@@ -90,9 +90,7 @@ TEST_CASE("every tone map is bounded, keeps black and increases on greys") {
       for (float v : {out.x, out.y, out.z})
         REQUIRE((v >= 0.0f && v <= 1.0f));
     }
-    CHECK(tonemap_from_name(tonemap_name(tonemap)) == tonemap);
   }
-  CHECK(!tonemap_from_name("filmic").has_value());
 }
 
 TEST_CASE("the ACES fit has its published value at 1 and an inverse") {

@@ -4,7 +4,10 @@
 // Curved lights: what is known of them from their definition, and what is refused.
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
 #include "openltc/light/emitter.h"
+#include "openltc/light/line.h"
+#include "openltc/light/punctual.h"
 
 #include <doctest/doctest.h>
 

@@ -4,9 +4,9 @@
 // LM-63 files: what they mean, that flux is the integral of the intensities, and what is refused.
 
 #include "ies_samples.h"
-#include "openltc/light/ies.h"
-#include "openltc/light/photometry.h"
-#include "openltc/light/units.h"
+#include "openltc/light/photometry/ies.h"
+#include "openltc/light/photometry/photometry.h"
+#include "openltc/light/units/units.h"
 #include "openltc/target/shade_f32.h"
 #include "openltc/target/shade_f64.h"
 

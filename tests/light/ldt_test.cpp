@@ -4,8 +4,8 @@
 // EULUMDAT files: every symmetry against the formula that wrote it, lamps, and what is refused.
 
 #include "ies_samples.h"
-#include "openltc/light/ldt.h"
-#include "openltc/light/photometry.h"
+#include "openltc/light/photometry/ldt.h"
+#include "openltc/light/photometry/photometry.h"
 
 #include <doctest/doctest.h>
 

@@ -6,8 +6,8 @@
 // about the axes that LM-63-2002, section 3, and CIE 121 name.
 
 #include "ies_samples.h"
-#include "openltc/light/photometry.h"
-#include "openltc/light/units.h"
+#include "openltc/light/photometry/photometry.h"
+#include "openltc/light/units/units.h"
 #include "openltc/target/shade_f32.h"
 
 #include <doctest/doctest.h>

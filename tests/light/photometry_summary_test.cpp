@@ -4,7 +4,7 @@
 // What a luminaire gives, against closed forms of cosine lobes.
 
 #include "ies_samples.h"
-#include "openltc/light/photometry_summary.h"
+#include "openltc/light/photometry/photometry_summary.h"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
+#include "openltc/light/punctual.h"
 #include "openltc/light/shapes.h"
 
 #include <doctest/doctest.h>

@@ -4,13 +4,15 @@
 // Each conversion against its definition, by adding up what every patch of a light sends in every
 // direction, and against its inverse.
 
-#include "openltc/light/blender.h"
 #include "openltc/light/curved.h"
-#include "openltc/light/ies.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
+#include "openltc/light/photometry/ies.h"
 #include "openltc/light/polygon.h"
 #include "openltc/light/shapes.h"
-#include "openltc/light/units.h"
-#include "openltc/light/usdlux.h"
+#include "openltc/light/units/blender.h"
+#include "openltc/light/units/units.h"
+#include "openltc/light/units/usdlux.h"
 #include "openltc/target/shade_f64.h"
 
 #include <doctest/doctest.h>

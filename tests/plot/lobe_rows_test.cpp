@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/fit/error.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/plot/lobe_rows.h"
 
 #include <doctest/doctest.h>

@@ -1,15 +1,16 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/plot/figure.h"
-#include "openltc/plot/marked_text.h"
-#include "openltc/plot/polygon_figure.h"
+#include "openltc/draw/figure.h"
+#include "openltc/draw/marked_text.h"
+#include "openltc/plot/figures/polygon_figure.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
 using namespace openltc;
+using namespace openltc::draw;
 using namespace openltc::plot;
 
 TEST_CASE("text is slanted, lowered and escaped as it is marked") {

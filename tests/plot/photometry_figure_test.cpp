@@ -3,8 +3,8 @@
 
 // The polar diagram: its circles hold the peak, and it is whole where there is light above.
 
-#include "openltc/light/photometry.h"
-#include "openltc/plot/photometry_figure.h"
+#include "openltc/light/photometry/photometry.h"
+#include "openltc/plot/figures/photometry_figure.h"
 
 #include <doctest/doctest.h>
 
@@ -40,7 +40,7 @@ TEST_CASE("a_diagram_is_whole_where_light_goes_up") {
   REQUIRE(both.ok());
   CHECK(both->height > down->height + 150);
   CHECK(down->width == both->width);
-  for (const plot::Figure* figure : {&*down, &*both}) {
+  for (const draw::Figure* figure : {&*down, &*both}) {
     CHECK(figure->body.find("nan") == std::string::npos);
     CHECK(figure->caption.find("openltc plot photometry lamp.ies") != std::string::npos);
   }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/fit/polygon_integral.h"
+#include "openltc/fit/measure/polygon_integral.h"
 #include "openltc/plot/matrix_lobe.h"
 #include "openltc/plot/polygon_equivalence.h"
 

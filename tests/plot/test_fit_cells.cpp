@@ -3,7 +3,7 @@
 //
 // The figure of fits shows the numbers and discs of the report of `openltc fit`.
 
-#include "openltc/fit/report.h"
+#include "openltc/fit/report/report.h"
 #include "openltc/plot/fit_cells.h"
 
 #include <doctest/doctest.h>

@@ -4,7 +4,7 @@
 // The numbers of the figure of literal formulas: those that the documentation states, and bounds
 // that hold for the corrected formulas alone.
 
-#include "openltc/plot/literal_figure.h"
+#include "openltc/plot/figures/literal_figure.h"
 #include "openltc/plot/literal_formulas.h"
 #include "openltc/table/lobe_table.h"
 
@@ -97,7 +97,7 @@ TEST_CASE("literal: without its amplitude the lobe of glass is 10 times too brig
 }
 
 TEST_CASE("literal: the figure draws every curve in one piece, with the numbers of the formulas") {
-  const plot::Figure figure = plot::make_literal_figure();
+  const draw::Figure figure = plot::make_literal_figure();
   std::size_t paths = 0;
   for (std::size_t at = 0; (at = figure.body.find("<path", at)) != std::string::npos; ++at)
     ++paths;

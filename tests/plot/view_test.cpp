@@ -26,13 +26,21 @@ Vec2d opaque_center(const image::Image& picture) {
   return {2 * sum_x / (sum * picture.width) - 1, 1 - 2 * sum_y / (sum * picture.height)};
 }
 
+// White.
+scene::Mesh ball_mesh(Vec3d center, double radius) {
+  scene::Mesh mesh = sphere_mesh(f64::cosine_lobe(), [&](Vec3d) { return Vec3f(1.0f); }, {32, 48});
+  for (Vec3f& p : mesh.positions)
+    p = p * float(radius) + to_float(center);
+  return mesh;
+}
+
 } // namespace
 
 TEST_CASE("the renderer shows a small ball where the projection says") {
   View view = view_from(-120, 38, 1.5, 1.0);
   view.center = {0.1, -0.2, 0.3};
   for (const Vec3d place : {Vec3d(0, 0, 0), Vec3d(0.5, 0.2, 0.4), Vec3d(-0.7, 0.6, -0.1)}) {
-    const Solid ball{ball_mesh(place, 0.02, Vec3f(1.0f)), Finish::plain};
+    const Solid ball{ball_mesh(place, 0.02), Finish::plain};
     const auto picture = render_solids({&ball, 1}, view, {300, 32, 0});
     REQUIRE(picture.ok());
     CHECK(picture->width == 300);

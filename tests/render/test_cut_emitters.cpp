@@ -4,8 +4,9 @@
 // A glowing rectangle of which alpha leaves a part lights a floor as that part does: the form
 // factor by quadrature over what is open.
 
+#include "openltc/light/light_list.h"
 #include "openltc/render/renderer.h"
-#include "openltc/scene/emissive.h"
+#include "openltc/scene/emissive/emissive.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -52,7 +53,7 @@ scene::Scene panel(scene::AlphaMode mode, float factor, float outside) {
   scene.meshes.push_back(mesh);
   scene::Warnings warnings;
   for (const light::Lights& lights : scene::find_emissive_lights(scene, {}, warnings))
-    scene::append_lights(lights, scene.lights);
+    light::append_lights(lights, scene.lights);
   CHECK(warnings.lines().empty());
   return scene;
 }
@@ -77,7 +78,6 @@ double floor_radiance(const scene::Scene& scene, render::Integrator integrator, 
   options.samples = samples;
   options.shadow_samples = samples;
   options.filter = render::PixelFilter::none;
-  options.quiet = true;
   auto picture = render::render(scene, test::look_at({0, 2, 2}, {0, 0, 0}, 1e-3f),
                                 table::builtin_ggx_table(), options);
   REQUIRE(picture.ok());

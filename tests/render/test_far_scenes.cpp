@@ -25,7 +25,6 @@ image::Image rendered(const scene::Scene& scene, const scene::Camera& camera,
   options.samples = 4;
   options.integrator = integrator;
   options.shadow_samples = shadow_samples;
-  options.quiet = true;
   auto picture = render::render(scene, camera, table::builtin_ggx_table(), options);
   REQUIRE(picture.ok());
   return std::move(picture->radiance);

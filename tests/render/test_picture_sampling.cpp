@@ -71,7 +71,6 @@ render::Picture spot(const scene::Scene& scene, render::Integrator integrator, i
   options.shadow_samples = shadow_samples;
   options.filter = render::PixelFilter::none;
   options.kernel = kernel;
-  options.quiet = true;
   auto picture = render::render(scene, test::look_at({0, 2, 2}, {0, 0, 0}, 1e-3f),
                                 table::builtin_ggx_table(), options);
   REQUIRE(picture.ok());

@@ -3,7 +3,7 @@
 //
 // Point and spot lights with a measured profile, rendered.
 
-#include "openltc/light/ies.h"
+#include "openltc/light/photometry/ies.h"
 #include "openltc/render/light_set.h"
 #include "openltc/render/renderer.h"
 #include "openltc/table/lobe_table.h"

@@ -3,7 +3,7 @@
 //
 // The reference integrator, against what is known without it; and the LTC integrator against it.
 
-#include "openltc/image/metrics.h"
+#include "openltc/image/compare/metrics.h"
 #include "openltc/render/renderer.h"
 #include "openltc/scene/gltf.h"
 #include "test_scenes.h"

@@ -4,12 +4,14 @@
 // Promises of the renderer that are not about light: same bytes, kernels agree, alpha, errors.
 
 #include "openltc/render/renderer.h"
+#include "openltc/render/studio_choice.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 using namespace openltc;
 
@@ -160,6 +162,59 @@ TEST_CASE("alpha: the camera sees through blended surfaces") {
                              table::builtin_ggx_table(), options);
   REQUIRE(away.ok());
   CHECK(double(away->radiance.pixel(2, 2)[1]) == doctest::Approx(5));
+}
+
+TEST_CASE("a picture can be stopped at any tile, and its progress rises to one") {
+  const scene::Scene scene = busy_scene();
+  render::RenderOptions options = small_options();
+  double last = 0;
+  int calls = 0;
+  bool rising = true;
+  options.progress = [&](double share) {
+    rising = rising && share > last;
+    last = share;
+    return ++calls > 0;
+  };
+  REQUIRE(render::render(scene, k_camera, table::builtin_ggx_table(), options).ok());
+  CHECK(rising);
+  CHECK(last == 1.0);
+  for (const int stop : {1, 2, calls}) {
+    int count = 0;
+    options.progress = [&](double) { return ++count < stop; };
+    const auto stopped = render::render(scene, k_camera, table::builtin_ggx_table(), options);
+    REQUIRE_FALSE(stopped.ok());
+    CHECK(stopped.error().message == "cancelled");
+    CHECK(count == stop);
+  }
+}
+
+TEST_CASE("a studio rig is lit where the scene says nothing to see by, and only there") {
+  const auto chosen = [](scene::Scene scene, render::LightsFrom from) {
+    const auto result = render::choose_lights(scene, from, k_camera);
+    REQUIRE(result.ok());
+    return std::pair(*result, scene.lights.area_light_count() + scene.lights.punctual.size());
+  };
+  const scene::Scene lit = busy_scene();
+  const std::size_t own = lit.lights.area_light_count() + lit.lights.punctual.size();
+  scene::Scene dark = lit;
+  dark.lights = {};
+  scene::Scene broken = dark; // the file describes lights, none of them usable
+  broken.describes_lights = true;
+  scene::Scene dim = dark;
+  dim.lights.polygons = {test::ceiling_rectangle(-1, -1, 1, 1, 2, 0.5f)};
+  using render::LightsFrom;
+  using render::LightsReason;
+  CHECK(chosen(lit, LightsFrom::automatic).second == own);
+  CHECK(chosen(lit, LightsFrom::both).second > own);
+  CHECK_FALSE(chosen(lit, LightsFrom::both).first.usual_exposure);
+  CHECK(chosen(dark, LightsFrom::automatic).first.reason == LightsReason::no_lights);
+  CHECK(chosen(dark, LightsFrom::automatic).second > 0);
+  CHECK(chosen(dark, LightsFrom::automatic).first.usual_exposure);
+  CHECK(chosen(dark, LightsFrom::scene).second == 0);
+  CHECK(chosen(broken, LightsFrom::automatic).first.reason == LightsReason::unusable_lights);
+  CHECK(chosen(broken, LightsFrom::automatic).second == 0);
+  CHECK(chosen(dim, LightsFrom::automatic).first.reason == LightsReason::dim_lights);
+  CHECK(chosen(dim, LightsFrom::automatic).second > 1);
 }
 
 TEST_CASE("options out of range are refused with one line") {

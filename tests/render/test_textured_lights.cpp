@@ -63,7 +63,6 @@ image::Image rendered(const scene::Scene& scene, render::Integrator integrator, 
   options.samples = samples;
   options.shadow_samples = shadow_samples;
   options.kernel = kernel;
-  options.quiet = true;
   auto picture = render::render(scene, test::look_at({0, 1.6f, 3}, {0, 0, -0.5f}, 0.7f),
                                 table::builtin_ggx_table(), options);
   REQUIRE(picture.ok());
@@ -146,7 +145,6 @@ TEST_CASE("a picture that is missing leaves an even light and a word about it") 
   render::RenderOptions options;
   options.width = options.height = 8;
   options.samples = 1;
-  options.quiet = true;
   auto picture = render::render(scene, test::look_at({0, 1.6f, 3}, {0, 0, -0.5f}, 0.7f),
                                 table::builtin_ggx_table(), options);
   REQUIRE(picture.ok());

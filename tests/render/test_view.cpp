@@ -5,7 +5,7 @@
 
 #include "openltc/render/studio_room.h"
 #include "openltc/render/view_choice.h"
-#include "openltc/scene/studio.h"
+#include "openltc/scene/view/studio.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

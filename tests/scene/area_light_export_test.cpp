@@ -5,8 +5,10 @@
 
 #include "gltf_builder.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
-#include "openltc/scene/gltf_export.h"
+#include "openltc/scene/gltf/export.h"
 #include "round_meshes.h"
 #include "tests/image/make_picture.h"
 

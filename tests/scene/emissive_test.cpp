@@ -3,7 +3,7 @@
 
 #include "gltf_builder.h"
 #include "openltc/light/polygon.h"
-#include "openltc/scene/emissive.h"
+#include "openltc/scene/emissive/emissive.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/scene/emissive.h"
-#include "openltc/scene/emissive_texture.h"
+#include "openltc/light/light_list.h"
+#include "openltc/scene/emissive/emissive.h"
+#include "openltc/scene/emissive/emissive_texture.h"
 
 #include <doctest/doctest.h>
 
@@ -151,7 +152,7 @@ TEST_CASE("lights_of_one_texture_share_one_picture") {
                   grid({0, 0, 5}, {1, 0, 0}, {0, 0, 1}, map)};
   scene::Warnings warnings;
   for (const light::Lights& lights : scene::find_emissive_lights(scene, {}, warnings))
-    scene::append_lights(lights, scene.lights);
+    light::append_lights(lights, scene.lights);
   REQUIRE(scene.lights.polygons.size() == 2);
   REQUIRE(scene.lights.textures.size() == 1);
   CHECK(scene.lights.polygons[0].texture == 0);

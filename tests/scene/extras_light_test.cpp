@@ -6,9 +6,12 @@
 #include "gltf_builder.h"
 #include "openltc/image/file.h"
 #include "openltc/light/curved.h"
-#include "openltc/light/ies.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
+#include "openltc/light/photometry/ies.h"
 #include "openltc/light/polygon.h"
-#include "openltc/scene/light_surface.h"
+#include "openltc/light/punctual.h"
+#include "openltc/scene/emissive/light_surface.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>

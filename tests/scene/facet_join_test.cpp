@@ -6,8 +6,8 @@
 
 #include "openltc/light/emission_stack.h"
 #include "openltc/light/polygon.h"
-#include "openltc/scene/emissive.h"
-#include "openltc/scene/ring_overlap.h"
+#include "openltc/scene/emissive/emissive.h"
+#include "openltc/scene/emissive/ring_overlap.h"
 #include "round_meshes.h"
 
 #include <doctest/doctest.h>

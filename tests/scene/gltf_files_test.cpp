@@ -5,6 +5,7 @@
 
 #include "gltf_builder.h"
 #include "openltc/light/polygon.h"
+#include "openltc/light/punctual.h"
 #include "openltc/scene/tangents.h"
 
 #include <doctest/doctest.h>

@@ -3,7 +3,10 @@
 
 #include "gltf_builder.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
+#include "openltc/light/punctual.h"
 
 #include <doctest/doctest.h>
 

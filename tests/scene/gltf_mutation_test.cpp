@@ -6,8 +6,11 @@
 
 #include "gltf_samples.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
-#include "openltc/scene/gltf_export.h"
+#include "openltc/light/punctual.h"
+#include "openltc/scene/gltf/export.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>

@@ -4,8 +4,8 @@
 // EXT_lights_ies, read as its specification says and written by export.
 
 #include "gltf_builder.h"
-#include "openltc/light/ies.h"
-#include "openltc/scene/gltf_export.h"
+#include "openltc/light/photometry/ies.h"
+#include "openltc/scene/gltf/export.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>

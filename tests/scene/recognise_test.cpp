@@ -5,9 +5,12 @@
 
 #include "gltf_builder.h"
 #include "openltc/light/curved.h"
+#include "openltc/light/ellipse.h"
+#include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
-#include "openltc/scene/emissive.h"
-#include "openltc/scene/light_surface.h"
+#include "openltc/light/punctual.h"
+#include "openltc/scene/emissive/emissive.h"
+#include "openltc/scene/emissive/light_surface.h"
 #include "round_meshes.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/scene/simple_outline.h"
+#include "openltc/scene/emissive/simple_outline.h"
 
 #include <doctest/doctest.h>
 

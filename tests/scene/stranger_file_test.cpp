@@ -5,7 +5,7 @@
 
 #include "gltf_builder.h"
 #include "openltc/base/memory_budget.h"
-#include "openltc/scene/gltf_export.h"
+#include "openltc/scene/gltf/export.h"
 #include "tests/image/make_picture.h"
 
 #include <doctest/doctest.h>

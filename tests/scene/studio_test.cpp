@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 #include "openltc/light/polygon.h"
-#include "openltc/scene/framing.h"
-#include "openltc/scene/studio.h"
+#include "openltc/light/punctual.h"
+#include "openltc/scene/view/framing.h"
+#include "openltc/scene/view/studio.h"
 
 #include <doctest/doctest.h>
 

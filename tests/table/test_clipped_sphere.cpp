@@ -4,7 +4,7 @@
 // The clipped sphere's form factor against brute-force quadrature and the published table.
 
 #include "openltc/table/clipped_sphere.h"
-#include "openltc/table/container.h"
+#include "openltc/table/container/container.h"
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 //
 // Containers in memory: nothing is lost, and no bytes bring a reader down.
 
-#include "openltc/table/container.h"
+#include "openltc/table/container/container.h"
 #include "openltc/table/half.h"
 
 #include <doctest/doctest.h>

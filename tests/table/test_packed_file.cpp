@@ -3,7 +3,7 @@
 //
 // Packed tables as files: every layout in every container and precision, all or nothing.
 
-#include "openltc/table/description.h"
+#include "openltc/table/container/description.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/table_file.h"
 

@@ -4,7 +4,7 @@
 // Functions to paste: each compiles with a real compiler of its language, and where it can be run
 // it gives the numbers of shade/polynomial.glsl. A compiler that is not there is named and skipped.
 
-#include "openltc/table/polynomial_source.h"
+#include "openltc/table/container/polynomial_source.h"
 #include "openltc/target/shade_f64.h"
 
 #include <doctest/doctest.h>

@@ -79,7 +79,38 @@ class Layers(unittest.TestCase):
             self.assert_breach("openltc/render/a.h", "#include <%s>\n" % header, ".cpp")
             self.assert_clean("openltc/render/a.cpp", "#include <%s>\n" % header)
         self.assert_clean("openltc/render/embree.h", "#include <embree4/rtcore.h>\n")
-        self.assert_clean("openltc/image/exr_input.h", "#include <ImfIO.h>\n")
+        self.assert_clean("openltc/image/exr/exr_input.h", "#include <ImfIO.h>\n")
+        self.assert_clean("openltc/scene/gltf/file/tinygltf.h", "#include <tiny_gltf.h>\n")
+
+    def test_library_is_silent(self):
+        for line in ("std::cerr << 1;", 'fmt::print(stderr, "x");', 'fmt::print("x");', 'printf("x");',
+                     "std::fputs(text, stdout);", "#include <csignal>", "sigaction(2, &a, &b);",
+                     "std::signal(2, f);", "std::exit(1);", "::_exit(1);", "std::atexit(f);",
+                     "if (isatty(2)) f();", "std::abort();"):
+            self.assert_breach("openltc/base/a.cpp", "int a; // x\n%s\n" % line, "prints nothing")
+            self.assertEqual(check_tree({"cli/a.cpp": line + "\n"}), [])
+        for line in ("// std::cerr and stdout", '/* exit(1)\n abort() */ int b = 1;',
+                     'f("stderr", "abort()");', 'fmt::print(file, "x");', "bool on_exit;",
+                     'std::fprintf(file, "x");', "snprintf(a, 2, b);", "group.exit(1);"):
+            self.assert_clean("openltc/base/a.cpp", line + "\n")
+
+    def test_threads_come_from_one_file(self):
+        for line in ("#include <tbb/parallel_for.h>", "tbb::parallel_for(0, n, f);",
+                     "std::thread t(f);", "std::async(f);", "#include <execution>"):
+            for path in ("openltc/fit/a.cpp", "cli/a.cpp"):
+                self.assert_breach(path, line + "\n", "openltc/base/parallel.cpp")
+            self.assert_clean("openltc/base/parallel.cpp", line + "\n")
+        self.assert_clean("openltc/fit/a.cpp", "// as tbb::parallel_for\n"
+                          "int n = std::thread::hardware_concurrency();\n")
+
+    def test_folders_are_narrow(self):
+        def folder_of(count):
+            return {"openltc/base/a%d.h" % i: "" for i in range(count)}
+        self.assertEqual(check_tree(folder_of(30)), [])
+        self.assertIn("31 files", check_tree(folder_of(31))[0][2])
+        rooms = folder_of(30)
+        rooms["openltc/base/room/a.h"] = ""
+        self.assertEqual(check_tree(rooms), [])
 
     def test_every_file_names_its_licence(self):
         for path in ("openltc/base/a.h", "tools/a.py", "cmake/a.cmake", "tests/shaders/a.frag"):

@@ -18,8 +18,8 @@ k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 k_commands = ["render", "compare", "fit", "convert", "inspect", "plot"]
 # Files of the tool that serve other commands than their name says.
 k_served = {
-    "camera_choice": ["render"], "picture_output": ["render"], "shape_options": ["render", "convert", "inspect"],
-    "convert_scene": ["convert"], "fit_job": ["fit"], "main": k_commands,
+    "picture_output": ["render"], "shape_options": ["render", "convert", "inspect"],
+    "pose_options": ["render", "compare"], "main": k_commands,
 }
 k_option = re.compile(r"(?<![\w-])--[a-z][a-z-]*[a-z]")
 k_named = re.compile(r"(?<![\w-])openltc (%s)\b" % "|".join(k_commands))
@@ -30,6 +30,7 @@ k_token = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n]
 k_library_serves = {
     "openltc/scene": ["render", "compare", "convert", "inspect"],
     "openltc/base/memory_budget.cpp": ["render", "compare", "convert", "inspect"],
+    "openltc/fit/fit_job.cpp": ["fit"],
     "openltc/plot": ["plot"],
 }
 
@@ -87,20 +88,22 @@ def faults(text, served, options):
 
 
 def served_by(path):
-    folder, name = os.path.split(path)
+    folders, name = path.split("/")[:-1], os.path.basename(path)
     stem = name.rsplit(".", 1)[0]
-    if folder == "cli":
+    if folders[0] == "cli":
         if stem in k_served:
             return k_served[stem]
+        if len(folders) > 1 and folders[1] in k_commands:  # a command's own room
+            return [folders[1]]
         return [c for c in k_commands if stem == c or stem.startswith(c + "_")]
-    return k_library_serves.get(folder) or k_library_serves.get(path) or []
+    return k_library_serves.get("/".join(folders[:2])) or k_library_serves.get(path) or []
 
 
 def sources():
     for top in ("cli", "openltc"):
         for folder, _, files in os.walk(os.path.join(k_root, top)):
             for name in sorted(files):
-                if name.endswith((".cpp", ".h")) and name != "report_style.h":  # style sheets have --names too
+                if name.endswith((".cpp", ".h")) and name != "style.h":  # style sheets have --names too
                     yield os.path.relpath(os.path.join(folder, name), k_root)
 
 

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// A fit as a command line.
+
+#pragma once
+
+#include "openltc/fit/fit_job.h"
+
+#include <string>
+
+namespace openltc::cli {
+
+/// A path as one word of a shell's command line, in quotes where it needs them.
+std::string shell_word(const std::string& path);
+
+/// The command line that makes the same again: all choices that are not defaults. `brdf` is a name
+/// or the path of a MERL file.
+std::string fit_command_of(const std::string& brdf, const fit::FitRequest& request);
+
+} // namespace openltc::cli

@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/fit/fit_job.h"
+
+#include "openltc/fit/measure/limit.h"
+#include "openltc/fit/polynomial_fit.h"
+#include "openltc/table/divided.h"
+#include "openltc/table/packed_file.h"
+#include "openltc/table/polynomial_file.h"
+#include "openltc/table/table_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+namespace openltc::fit {
+
+namespace {
+
+using table::Layout;
+using table::PackedTable;
+
+bool is_builtin_source(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".cpp" || extension == ".inc";
+}
+
+// Whether the layout's look-up can interpolate these lobes: between nodes whose matrices differ
+// much it may find one that turns its lobe inside out. Looked at on a grid four times as fine.
+std::string interpolation_warning(const PackedTable& packed) {
+  constexpr int k_finer = 4;
+  constexpr double k_from = 0.01;
+  const int columns = packed.columns() > 1 ? k_finer * (packed.columns() - 1) + 1 : 1;
+  const int rows = k_finer * (packed.rows() - 1) + 1;
+  int points = 0, broken = 0;
+  double least = 1, most = 0;
+  for (int column = 0; column < columns; ++column) {
+    const double roughness = table::node_roughness(columns, column);
+    if (roughness < k_from) continue;
+    for (int row = 0; row < rows; ++row) {
+      const double c = cosine_at(double(row) / (rows - 1), packed.angle_axis);
+      ++points;
+      if (table::fetch_packed(packed, roughness, c).lobe.det > 0) continue;
+      ++broken;
+      least = std::min(least, roughness);
+      most = std::max(most, roughness);
+    }
+  }
+  if (broken == 0) return "";
+  return fmt::format("warning: {:.2g} % of the lobes that a look-up in layout {} reads turn inside "
+                     "out between the nodes, at roughness {:.3g} to {:.3g}: this layout cannot "
+                     "interpolate them there; more nodes (--size) or --layout native help",
+                     100.0 * broken / points, name_of(packed.layout), least, most);
+}
+
+Result<FittedLobes> fit_polynomial_form(const brdf::Brdf& brdf, const FitRequest& request,
+                                        const Objective& objective, const Progress& progress) {
+  PolynomialFitOptions options;
+  options.degree = request.degree;
+  options.objective = objective;
+  Result<PolynomialFit> fitted = fit_polynomial(brdf, options, progress);
+  if (!fitted) return fitted.error();
+  FittedLobes result;
+  result.stored = std::move(fitted->polynomial);
+  result.note = fmt::format("certified: A D - w B C >= {:.2e} over the whole domain ({} boxes); no "
+                            "lobe turns inside out",
+                            fitted->certificate.lower_bound, fitted->certificate.boxes);
+  return result;
+}
+
+Result<FittedLobes> fit_table_form(const brdf::Brdf& brdf, const FitRequest& request,
+                                   const Objective& objective, const Progress& progress) {
+  TableFitOptions options;
+  options.size = request.size;
+  options.refine = request.refine;
+  // Refinement goes through the native look-up, which is not the one that these tables meet.
+  if (request.layout != Layout::native && request.refine == Refine::automatic)
+    options.refine = Refine::off;
+  options.angle_axis = table::angle_axis_of(request.layout);
+  options.lobe.objective = objective;
+  Result<table::LobeTable> fitted = fit_table(brdf, options, progress);
+  if (!fitted) return fitted.error();
+  Result<PackedTable> packed = table::pack(*fitted, request.layout, table::Precision::float32);
+  if (!packed) return packed.error();
+  if (request.layout != Layout::native && request.clip_aware) table::divide_amplitudes(*packed);
+  packed = table::with_precision(*packed, request.precision);
+  if (!packed) return packed.error();
+  FittedLobes result;
+  if (request.layout != Layout::native) result.warning = interpolation_warning(*packed);
+  result.stored = std::move(*packed);
+  result.nodes = std::move(*fitted);
+  return result;
+}
+
+} // namespace
+
+table::TableMetadata& FittedLobes::metadata() {
+  return std::visit([](auto& form) -> table::TableMetadata& { return form.metadata; }, stored);
+}
+
+const table::TableMetadata& FittedLobes::metadata() const {
+  return std::visit([](const auto& form) -> const table::TableMetadata& { return form.metadata; },
+                    stored);
+}
+
+LobeFunction FittedLobes::lobes() const {
+  if (const auto* packed = std::get_if<PackedTable>(&stored))
+    return [packed](double roughness, double cos_theta) {
+      return table::fetch_albedo(*packed, roughness, cos_theta);
+    };
+  return lobes_of(std::get<table::LobePolynomial>(stored));
+}
+
+Status check_extensions(const FitRequest& request, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    Status status = Success{};
+    if (request.form == table::LobeForm::polynomial)
+      status = table::check_polynomial_extension(path);
+    else if (!is_builtin_source(path))
+      status = table::check_packed_extension(path);
+    if (!status) return status;
+  }
+  return Success{};
+}
+
+Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const FitRequest& request,
+                                               const std::vector<std::string>& paths) {
+  std::vector<std::string> all;
+  for (const std::string& path : paths) {
+    std::vector<std::string> files = {path};
+    if (request.form == table::LobeForm::table && is_builtin_source(path)) {
+      if (request.layout != Layout::native || request.precision != table::Precision::float32)
+        return Error{path + ": C++ source of the built-in is for --layout native --precision "
+                            "float32; .h holds any"};
+    } else if (request.form == table::LobeForm::table) {
+      files = table::packed_files(request.layout, path);
+    }
+    if (is_builtin_source(path) && brdf.width != brdf::LobeWidth::alpha)
+      return Error{fmt::format("{}: C++ source of the built-in is for lobes that narrow with "
+                               "roughness, not for {}; .h holds any",
+                               path, brdf.name)};
+    all.insert(all.end(), files.begin(), files.end());
+  }
+  return all;
+}
+
+Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitRequest& request,
+                              const Progress& progress) {
+  const Result<Objective> found = find_objective(request.objective);
+  if (!found) return found.error();
+  Objective objective = *found;
+  if (request.layout != Layout::native && !request.clip_aware) objective.horizon = Horizon::leaking;
+
+  const auto begin = std::chrono::steady_clock::now();
+  Result<FittedLobes> result = request.form == table::LobeForm::polynomial
+                                   ? fit_polynomial_form(brdf, request, objective, progress)
+                                   : fit_table_form(brdf, request, objective, progress);
+  if (!result) return result;
+  result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result->horizon = objective.horizon;
+  result->objective = objective;
+  complete_metadata(result->metadata(), {}, request.tool_version.c_str(), request.command);
+  return result;
+}
+
+void state_error(FittedLobes& fitted, const TableError& error) {
+  table::TableMetadata& metadata = fitted.metadata();
+  const std::string version = metadata.tool_version, command = metadata.command;
+  complete_metadata(metadata, error, version.c_str(), command);
+  if (fitted.nodes) fitted.nodes->metadata = metadata;
+}
+
+Candidate candidate_of(const FittedLobes& fitted, const FitRequest& request) {
+  Candidate c;
+  c.label = request.form == table::LobeForm::polynomial
+                ? fmt::format("{}, degree {}", request.objective, request.degree)
+                : fmt::format("{}, {}", request.objective, request.size);
+  c.lobes = fitted.lobes();
+  c.horizon = fitted.horizon;
+  const table::TableMetadata& m = fitted.metadata();
+  for (const table::MetadataField& field : table::k_metadata_fields)
+    if (field.text && !(m.*field.text).empty()) c.metadata.emplace_back(field.name, m.*field.text);
+  if (request.form == table::LobeForm::table)
+    c.metadata.emplace_back(
+        "layout", fmt::format("{}, {}", name_of(request.layout), name_of(request.precision)));
+  if (!fitted.note.empty()) c.metadata.emplace_back("proof", fitted.note);
+  if (fitted.nodes) c.nodes = node_axes(*fitted.nodes, MeasureOptions{0, 1, 90});
+  return c;
+}
+
+Candidate limit_of(const brdf::Brdf& brdf, const FittedLobes& fitted) {
+  Candidate limit;
+  limit.label = "limit";
+  limit.horizon = fitted.horizon;
+  limit.lobes = best_single_lobes(brdf, fitted.lobes(), fitted.objective);
+  limit.metadata = {{"what", fmt::format("the best single lobe at every point by itself, {}",
+                                         fitted.objective.name)}};
+  limit.is_limit = true;
+  return limit;
+}
+
+std::string size_note(const PackedTable& packed) {
+  const table::LayoutFacts& facts = facts_of(packed.layout);
+  const int usual = facts.usual_size;
+  if (usual == 0 || (packed.columns() == usual && packed.rows() == usual)) return "";
+  return fmt::format("note: {} expects {} x {} texels, this table has {} x {}; see --size",
+                     facts.readers, usual, usual, packed.columns(), packed.rows());
+}
+
+Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path) {
+  if (const auto* polynomial = std::get_if<table::LobePolynomial>(&fitted.stored)) {
+    if (Status status = table::write_polynomial(*polynomial, path); !status) return status.error();
+    return std::vector<std::string>{path};
+  }
+  if (is_builtin_source(path)) {
+    if (Status status = table::write_table(*fitted.nodes, path); !status) return status.error();
+    return std::vector<std::string>{path};
+  }
+  return table::write_packed(std::get<PackedTable>(fitted.stored), path);
+}
+
+} // namespace openltc::fit

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/fit/report/lobe_view.h"
+
+#include "openltc/fit/measure/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace openltc::fit {
+
+Density density_of(const brdf::Brdf& brdf, const Quadrature& q) {
+  const Vec3d wo(std::sqrt(1 - q.cos_theta * q.cos_theta), 0, q.cos_theta);
+  return [&brdf, wo, roughness = q.roughness, n1 = q.n1](Vec3d wi) {
+    return wi.z > 0 ? brdf.eval(wo, wi, roughness).scale / n1 : 0;
+  };
+}
+
+Density density_of(const f64::Lobe& lobe, Horizon horizon) {
+  const double scale = horizon_scale(lobe, horizon);
+  return [lobe, scale](Vec3d wi) {
+    return std::max(scale * f64::eval_lobe(lobe, wi), 0.0); // one inside out would be negative
+  };
+}
+
+DiscWindow window_of_lobe(const Quadrature& q) {
+  const double c = q.cos_theta, s = std::sqrt(std::max(0.0, 1 - c * c));
+  double mean = 0, square = 0, across = 0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double x = s * q.z_mirror[i] - c * q.x_mirror[i]; // towards the mirror direction
+    const double z = s * q.x_mirror[i] + c * q.z_mirror[i];
+    const double inv2 = 1 / (1 + std::max(z, 0.0));
+    const double energy = q.weight[i] * q.density[i];
+    mean += energy * x * std::sqrt(inv2);
+    square += energy * x * x * inv2;
+    across += energy * q.y[i] * q.y[i] * inv2;
+  }
+  const double deviation = std::sqrt(std::max({square - mean * mean, across, 0.0}));
+  DiscWindow window;
+  if (3 * deviation < 0.55) {
+    window.center_x = mean;
+    window.half = std::max(3 * deviation, 1e-4);
+  }
+  return window;
+}
+
+double mirror_in_disc(double cos_theta) {
+  return std::sqrt(std::max(0.0, 1 - cos_theta * cos_theta)) / std::sqrt(1 + cos_theta);
+}
+
+std::vector<double> sample_disc(const Density& density, const DiscWindow& window, int side) {
+  std::vector<double> disc;
+  disc.reserve(std::size_t(side) * std::size_t(side));
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      const double x = window.center_x + window.half * (2 * (column + 0.5) / side - 1);
+      const double y = window.half * (1 - 2 * (row + 0.5) / side);
+      const double r2 = x * x + y * y, stretch = std::sqrt(std::max(0.0, 2 - r2));
+      disc.push_back(r2 < 1 ? density(Vec3d(-x * stretch, y * stretch, 1 - r2)) : -1);
+    }
+  }
+  return disc;
+}
+
+} // namespace openltc::fit
