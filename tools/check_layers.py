@@ -8,7 +8,8 @@
 1. A folder of openltc/ includes only itself and folders above it in k_layers; shade includes
    nothing, target only shade; light, scene and render do not include fit: fitting and rendering
    meet only through a table. Nothing in openltc/ includes cli, tests or bench. openltc/openltc.h, the
-   one header of the public API, includes openltc/api alone, and nothing in openltc/ includes it.
+   one header of the public API, includes openltc/api alone, and nothing in openltc/ includes it;
+   openltc/openltc_c.h, that of the C API, includes headers of C alone, and c_api alone includes it.
 2. Includes within the repository are written from its root.
 3. Embree, glTF, mesh codec and image file headers appear in .cpp files only. Exceptions are private
    headers: render/embree.h and image/exr/exr_input.h, which hide the difference between Embree 3 and 4
@@ -31,12 +32,13 @@ import os
 import re
 import sys
 
-k_layers = ["shade", "target", "api", "base", "image", "draw", "brdf", "table", "fit", "light", "scene", "render", "plot"]
-k_source_endings = (".h", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh", ".mjs", ".cmake")
+k_layers = ["shade", "target", "api", "base", "image", "draw", "brdf", "table", "fit", "light", "scene", "render", "plot", "c_api"]
+k_source_endings = (".h", ".c", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh", ".mjs", ".cmake")
 k_source_names = ("CMakeLists.txt", "Makefile", "run")
 k_skipped_folders = {".git", "build", "out", "node_modules", "__pycache__"}
 k_root_list_lines = 80
 k_umbrella = "openltc.h"
+k_c_header = "openltc_c.h"
 k_folder_files = 30
 k_wide_folders = {"openltc/render"}
 
@@ -123,6 +125,11 @@ def check_library_include(path, form, header):
     if folder == k_umbrella:
         return [] if header.startswith("openltc/api/") else ["openltc.h includes openltc/api alone, "
                                                              'but here "%s"' % header]
+    if folder == k_c_header:
+        return [] if header in ("stddef.h", "stdint.h") else ["openltc_c.h includes headers of C alone, "
+                                                              'but here "%s"' % header]
+    if header == "openltc/" + k_c_header and folder == "c_api":
+        return []
     if k_private_headers.match(header):
         if not path.endswith(".cpp") and path not in k_private_headers_allowed:
             return ["<%s> belongs in a .cpp file" % header]
@@ -161,8 +168,8 @@ def check(root):
         parts = path.split("/")
         if parts[0] in ("openltc", "cli") and path.endswith((".h", ".cpp", ".inc")):
             breaches += [(path, line, text) for line, text in check_code(path, "\n".join(lines))]
-        if parts[0] == "openltc" and (len(parts) > 2 or parts[1] == k_umbrella):
-            if parts[1] not in k_layers + [k_umbrella]:
+        if parts[0] == "openltc" and (len(parts) > 2 or parts[1] in (k_umbrella, k_c_header)):
+            if parts[1] not in k_layers + [k_umbrella, k_c_header]:
                 breaches.append((path, 1, "openltc/%s is not in the list of layers" % parts[1]))
                 continue
             for number, line in enumerate(lines, 1):

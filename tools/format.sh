@@ -5,7 +5,7 @@
 #   tools/format.sh [FILE...]           format the sources in place, all or these
 #   tools/format.sh --check [FILE...]   say which are not formatted, and where; exit code 1 if any
 #
-# C++ by .clang-format. What is included as text and what shaders read (.inc .glsl .comp .frag) by the
+# C and C++ by .clang-format. What is included as text and what shaders read (.inc .glsl .comp .frag) by the
 # same but for two things: the order of includes has a meaning there, and comments, in which formulas
 # and tables stand, are not wrapped. CLANG_FORMAT=clang-format-14 names the program; other versions
 # format otherwise. Exit code 77 when it is not there.
@@ -27,14 +27,14 @@ else
   cd "$root"
   # New files too, if git does not ignore them.
   mapfile -t files < <(git ls-files --cached --others --exclude-standard -- \
-    '*.h' '*.cpp' '*.inc' '*.glsl' '*.comp' '*.frag' | sort -u |
+    '*.h' '*.c' '*.cpp' '*.inc' '*.glsl' '*.comp' '*.frag' | sort -u |
     while read -r file; do [[ ! -e "$file" ]] || echo "$file"; done)
 fi
 
 cpp=() text=()
 for file in "${files[@]}"; do
   case "$file" in
-    *.h | *.cpp) cpp+=("$file") ;;
+    *.h | *.c | *.cpp) cpp+=("$file") ;;
     *) text+=("$file") ;;
   esac
 done

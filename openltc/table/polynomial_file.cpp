@@ -7,7 +7,7 @@
 #include "openltc/base/regular_file.h"
 #include "openltc/table/container/lobe_json.h"
 #include "openltc/table/container/polynomial_source.h"
-#include "openltc/target/shade_f64.h"
+#include "openltc/table/lobe_check.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,6 @@ namespace {
 
 constexpr const char* k_format = "openltc-lobe-polynomial";
 constexpr int k_version = 1;
-constexpr int k_check_steps = 96; // of the grid on which a polynomial read from a file is checked
 
 // The extension that `path` ends with, with its dot; empty when none of ours.
 std::string extension_of(const std::string& path) {
@@ -42,23 +41,6 @@ std::optional<SourceLanguage> language_of(const std::string& extension) {
   if (extension == ".wgsl") return SourceLanguage::wgsl;
   if (extension == ".js") return SourceLanguage::javascript;
   return {};
-}
-
-Status check_determinant(const LobePolynomial& polynomial, const std::string& name) {
-  for (int i = 0; i <= k_check_steps; ++i)
-    for (int j = 0; j <= k_check_steps; ++j) {
-      const double roughness = double(i) / k_check_steps, y = double(j) / k_check_steps;
-      const double alpha = f64::alpha_from_roughness(roughness);
-      const double width_there = polynomial.width == brdf::LobeWidth::alpha ? alpha : 1.0;
-      const f64::Lobe lobe =
-          f64::eval_lobe_polynomial_of_width(polynomial.view(), alpha, width_there, 1 - y * y).lobe;
-      // What is not positive comes back as the guard's k_tiny.
-      if (!(lobe.det > 1e-12 * alpha))
-        return Error{fmt::format("{}: the lobe at roughness {:.3f}, view angle cosine {:.3f} has "
-                                 "no positive determinant",
-                                 name, roughness, 1 - y * y)};
-    }
-  return Success{};
 }
 
 } // namespace
@@ -122,7 +104,7 @@ Result<LobePolynomial> polynomial_from_json(const std::string& text, const std::
     if (!value.is_number() || !std::isfinite(number))
       return Error{fmt::format("{}: coefficients[{}] is not a finite number", name, i)};
   }
-  if (Status status = check_determinant(polynomial, name); !status) return status.error();
+  if (Status status = check_determinants(polynomial, name); !status) return status.error();
 
   if (Status status = read_metadata(root, name, polynomial.metadata); !status)
     return status.error();

@@ -6,6 +6,7 @@
 #include "openltc/base/atomic_file.h"
 #include "openltc/table/container/description.h"
 #include "openltc/table/container/lobe_json.h"
+#include "openltc/table/lobe_check.h"
 #include "openltc/table/packed_file.h"
 
 #include <fmt/format.h>
@@ -101,12 +102,8 @@ Result<LobeTable> from_json(const std::string& text, const std::string& name) {
         return Error{
             fmt::format("{}: texels[{}] is not a finite number", name, i * k_stored_channels + k)};
     }
-    const int column = int(i % std::size_t(table.columns));
-    const double width = node_width(table.width, table.columns, column);
-    if (!(double(texel[0]) * double(texel[3]) > width * double(texel[1]) * double(texel[2])))
-      return Error{fmt::format("{}: the lobe of node ({}, {}) has no positive determinant", name,
-                               column, i / std::size_t(table.columns))};
   }
+  if (Status status = check_determinants(table, name); !status) return status.error();
 
   if (Status status = read_metadata(root, name, table.metadata); !status) return status.error();
   return table;

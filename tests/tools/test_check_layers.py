@@ -64,6 +64,13 @@ class Layers(unittest.TestCase):
         self.assert_breach("openltc/api/a.h", '#include "openltc/base/result.h"\n', "may not include")
         self.assert_breach("openltc/render/a.cpp", '#include "openltc/openltc.h"\n', "includes start")
 
+    def test_the_c_header_includes_headers_of_c_alone(self):
+        self.assert_clean("openltc/openltc_c.h", "#include <stddef.h>\n#include <stdint.h>\n")
+        self.assert_breach("openltc/openltc_c.h", '#include "openltc/api/surface.h"\n', "C alone")
+        self.assert_breach("openltc/openltc_c.h", "#include <cstddef>\n", "C alone")
+        self.assert_clean("openltc/c_api/a.cpp", '#include "openltc/openltc_c.h"\n')
+        self.assert_breach("openltc/fit/a.cpp", '#include "openltc/openltc_c.h"\n', "includes start")
+
     def test_shade_includes_nothing(self):
         self.assert_breach("openltc/shade/a.glsl", "#include <cmath>\n", "includes nothing")
         self.assert_breach("openltc/shade/a.glsl", '#include "openltc/shade/b.glsl"\n',

@@ -39,7 +39,7 @@ class Format(unittest.TestCase):
             self.assertEqual(run("--check", path).returncode, 0)
 
     def test_cpp(self):
-        for name in ("a.cpp", "a.h"):
+        for name in ("a.cpp", "a.c", "a.h"):
             self.check(name, "int  f( int a ){return a;}\n", "int f(int a) { return a; }\n")
 
     def test_shading_source(self):
