@@ -108,26 +108,26 @@ openltc_status fit_brdf(const brdf::Brdf& brdf, const openltc_fit_options* given
     };
 
   std::vector<float> fitted;
+  Result<fit::TableError> error = fit::TableError{};
   fit::MeasureOptions region;
   region.horizon = objective->horizon;
-  Result<fit::TableError> error = Error{};
+  const Progress fitting = part_of(progress, 0, k_fit_share);
   if (request.is_polynomial) {
     fit::PolynomialFitOptions how;
     how.degree = request.degree;
     how.objective = *objective;
-    Result<fit::PolynomialFit> fit =
-        fit::fit_polynomial(brdf, how, part_of(progress, 0, k_fit_share));
+    Result<fit::PolynomialFit> fit = fit::fit_polynomial(brdf, how, fitting);
     if (!fit) return failure(fit.error());
-    error = fit::measure_lobes(brdf, fit::lobes_of(fit->polynomial), region);
+    if (result) error = fit::measure_lobes(brdf, fit::lobes_of(fit->polynomial), region);
     fitted = std::move(fit->polynomial.coefficients);
   } else {
     fit::TableFitOptions how;
     how.size = request.size;
     how.refine = request.refine;
     how.lobe.objective = *objective;
-    Result<table::LobeTable> fit = fit::fit_table(brdf, how, part_of(progress, 0, k_fit_share));
+    Result<table::LobeTable> fit = fit::fit_table(brdf, how, fitting);
     if (!fit) return failure(fit.error());
-    error = fit::measure_lobes(brdf, fit::lobes_of(*fit), region);
+    if (result) error = fit::measure_lobes(brdf, fit::lobes_of(*fit), region);
     fitted = std::move(fit->texels);
   }
   if (!error) return failure(error.error());
