@@ -48,7 +48,7 @@ static openltc_points one_point(const openltc_material* material) {
 }
 
 // The factor from an element to a square metre a metre above it, parallel, is 0.2394 (Howell, "A
-// Catalog of Radiation Heat Transfer Configuration Factors", B-3): the share of its radiance that a
+// Catalog of Radiation Heat Transfer Configuration Factors"): the share of its radiance that a
 // white Lambertian surface shows.
 static void a_white_floor_shows_the_factor_of_its_light(void) {
   const double a = 0.5 / sqrt(1.25);
