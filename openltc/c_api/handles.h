@@ -9,8 +9,10 @@
 #include "openltc/api/lobes.h"
 #include "openltc/api/polygon.h"
 #include "openltc/api/punctual_lights.h"
+#include "openltc/batch.h"
 #include "openltc/openltc_c.h"
 
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -24,6 +26,12 @@ namespace openltc::c_api {
 using AnyLight =
     std::variant<Polygon, Ellipse, Sphere, Tube, Line, PointLight, SpotLight, DirectionalLight>;
 
+/// Whether a light has a size, and so a radiance beside it; others have an intensity of their own.
+template <class Light>
+inline constexpr bool has_extent =
+    !std::is_same_v<Light, PointLight> && !std::is_same_v<Light, SpotLight> &&
+    !std::is_same_v<Light, DirectionalLight>;
+
 /// A light of a list.
 struct ListedLight {
   AnyLight light;
@@ -33,5 +41,6 @@ struct ListedLight {
 } // namespace openltc::c_api
 
 struct openltc_lights {
-  std::vector<openltc::c_api::ListedLight> lights;
+  std::vector<openltc::c_api::ListedLight> lights; ///< as they were added
+  openltc::BatchLights batch;                      ///< the same, as lanes read them
 };

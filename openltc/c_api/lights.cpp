@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <type_traits>
 #include <utility>
 
 using namespace openltc;
@@ -21,13 +22,15 @@ using c_api::fail;
 
 namespace {
 
+constexpr float k_brightest = 1e20f; // what BatchLights takes
+
 struct NamedVector {
   const char* name;
   const float* data;
-  bool is_emitted = false; ///< not negative
+  bool is_emitted = false; ///< light: 0 to k_brightest
 };
 
-/// Refuses null lights, and vectors that are null, not finite, or negative where light is meant.
+/// Refuses null lights, and vectors that are null, not finite, or no light where that is meant.
 openltc_status check_vectors(const openltc_lights* lights,
                              std::initializer_list<NamedVector> vectors) {
   if (!lights) return fail(OPENLTC_INVALID_ARGUMENT, "lights is null");
@@ -36,8 +39,9 @@ openltc_status check_vectors(const openltc_lights* lights,
     for (int i = 0; i < 3; ++i) {
       if (!std::isfinite(vector.data[i]))
         return fail(OPENLTC_INVALID_ARGUMENT, fmt::format("{} is not finite", vector.name));
-      if (vector.is_emitted && vector.data[i] < 0)
-        return fail(OPENLTC_INVALID_ARGUMENT, fmt::format("{} is negative", vector.name));
+      if (vector.is_emitted && !(vector.data[i] >= 0 && vector.data[i] <= k_brightest))
+        return fail(OPENLTC_INVALID_ARGUMENT,
+                    fmt::format("{} is negative, or above 1e20", vector.name));
     }
   }
   return OPENLTC_OK;
@@ -47,7 +51,23 @@ Vec3f vector_of(const float* data) { return {data[0], data[1], data[2]}; }
 
 openltc_status add(openltc_lights& lights, c_api::AnyLight light, Vec3f radiance = Vec3f(1.0f)) {
   lights.lights.push_back({std::move(light), radiance});
-  return OPENLTC_OK;
+  bool added = false;
+  try {
+    added = std::visit(
+        [&](const auto& shape) {
+          if constexpr (c_api::has_extent<std::decay_t<decltype(shape)>>)
+            return lights.batch.add(shape, radiance);
+          else
+            return lights.batch.add(shape);
+        },
+        lights.lights.back().light);
+  } catch (...) {
+    lights.lights.pop_back();
+    throw;
+  }
+  if (added) return OPENLTC_OK;
+  lights.lights.pop_back();
+  return fail(OPENLTC_INVALID_ARGUMENT, "the light cannot be shaded");
 }
 
 /// Adds a shape, or refuses it by what it asks of its numbers.
@@ -119,6 +139,7 @@ size_t openltc_lights_count(const openltc_lights* lights) {
 openltc_status openltc_lights_clear(openltc_lights* lights) {
   if (!lights) return fail(OPENLTC_INVALID_ARGUMENT, "lights is null");
   lights->lights.clear();
+  lights->batch.clear();
   return OPENLTC_OK;
 }
 

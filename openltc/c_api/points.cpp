@@ -17,9 +17,6 @@ namespace openltc::c_api {
 
 namespace {
 
-// A few hundred points of one light take some 0.1 ms: long beside what it costs to hand them out.
-constexpr std::size_t k_points_per_part = 256;
-
 /// Element i of an array of T with a stride in bytes, wherever it lies.
 template <class T> T read(const void* data, std::size_t stride, std::size_t i) {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -83,8 +80,12 @@ Vec3f read_vector(const openltc_vectors& vectors, std::size_t i) {
   return {v.x, v.y, v.z};
 }
 
-Surface read_surface(const Lobes& lobes, const openltc_points& points, std::size_t i) {
-  const auto given = read<openltc_material>(points.materials.data, points.materials.stride, i);
+float read_number(const openltc_numbers& numbers, std::size_t i) {
+  return read<float>(numbers.data, numbers.stride, i);
+}
+
+Material read_material(const openltc_materials& materials, std::size_t i) {
+  const auto given = read<openltc_material>(materials.data, materials.stride, i);
   Material material;
   material.base_color = vector_of(given.base_color);
   material.metallic = given.metallic;
@@ -92,6 +93,11 @@ Surface read_surface(const Lobes& lobes, const openltc_points& points, std::size
   material.specular = given.specular;
   material.specular_color = vector_of(given.specular_color);
   material.ior = given.ior;
+  return material;
+}
+
+Surface read_surface(const Lobes& lobes, const openltc_points& points, std::size_t i) {
+  const Material material = read_material(points.materials, i);
   const Vec3f position = read_vector(points.positions, i), normal = read_vector(points.normals, i),
               view = read_vector(points.views, i);
   Surface surface = points.geometric_normals.data
@@ -99,23 +105,23 @@ Surface read_surface(const Lobes& lobes, const openltc_points& points, std::size
                                        read_vector(points.geometric_normals, i))
                         : make_surface(position, normal, view, material, lobes);
   if (points.position_errors.data)
-    set_position_error(surface,
-                       read<float>(points.position_errors.data, points.position_errors.stride, i));
+    set_position_error(surface, read_number(points.position_errors, i));
   return surface;
 }
 
 openltc_status for_ranges(std::size_t count, std::int32_t threads,
                           const std::function<void(std::size_t, std::size_t)>& work) {
   if (threads < 0) return fail(OPENLTC_INVALID_ARGUMENT, "threads is negative");
-  if (threads == 1 || count <= k_points_per_part) {
-    if (count > 0) work(0, count);
-    return OPENLTC_OK;
-  }
-  const std::size_t parts = (count - 1) / k_points_per_part + 1;
-  parallel_for(std::int64_t(parts), threads, [&](std::int64_t part) {
+  const std::size_t parts = count / k_points_per_part + (count % k_points_per_part != 0 ? 1 : 0);
+  const auto work_on = [&](std::int64_t part) {
     const std::size_t begin = std::size_t(part) * k_points_per_part;
     work(begin, std::min(begin + k_points_per_part, count));
-  });
+  };
+  if (threads != 1 && parts > 1)
+    parallel_for(std::int64_t(parts), threads, work_on);
+  else
+    for (std::size_t part = 0; part < parts; ++part)
+      work_on(std::int64_t(part));
   return OPENLTC_OK;
 }
 

@@ -35,11 +35,6 @@ openltc_light_sample sample_of(const Surface& surface, const LightSample& s) {
   return sample;
 }
 
-template <class Light> constexpr bool has_extent() {
-  return !std::is_same_v<Light, PointLight> && !std::is_same_v<Light, SpotLight> &&
-         !std::is_same_v<Light, DirectionalLight>;
-}
-
 /// Refuses what openltc_sample_light and openltc_intersect_light cannot work with.
 openltc_status check(const openltc_lobes* lobes, const openltc_lights* lights, size_t light,
                      const openltc_points* points, const float* numbers,
@@ -74,7 +69,7 @@ openltc_status openltc_sample_light(const openltc_lobes* lobes, const openltc_li
       return status;
     return std::visit(
         [&](const auto& shape) -> openltc_status {
-          if constexpr (has_extent<std::decay_t<decltype(shape)>>()) {
+          if constexpr (c_api::has_extent<std::decay_t<decltype(shape)>>) {
             return c_api::for_ranges(points->count, threads, [&](size_t begin, size_t end) {
               for (size_t i = begin; i < end; ++i) {
                 const Surface surface = c_api::read_surface(lobes->view, *points, i);
@@ -104,7 +99,7 @@ openltc_status openltc_intersect_light(const openltc_lobes* lobes, const openltc
             for (size_t i = begin; i < end; ++i) {
               const Surface surface = c_api::read_surface(lobes->view, *points, i);
               LightSample met;
-              if constexpr (has_extent<Light>() && !std::is_same_v<Light, Line>)
+              if constexpr (c_api::has_extent<Light> && !std::is_same_v<Light, Line>)
                 met = intersect_light(surface, shape,
                                       c_api::read_vector(directions_at(directions), i));
               samples[i] = sample_of(surface, met);

@@ -38,7 +38,7 @@ openltc_status openltc_shade_parts(const openltc_lobes* lobes, const openltc_lig
     if ((!diffuse || !specular) && points->count > 0)
       return fail(OPENLTC_INVALID_ARGUMENT, "diffuse or specular is null");
     return c_api::for_ranges(points->count, threads, [&](std::size_t begin, std::size_t end) {
-      c_api::shade_points(*lobes, *lights, *points, begin, end, diffuse, specular);
+      c_api::shade_parts_of_points(*lobes, *lights, *points, begin, end, diffuse, specular);
     });
   });
 }

@@ -35,6 +35,9 @@ TEST_CASE("numbers_that_are_no_light_are_refused") {
                 "radiance is negative");
   check_refused(openltc_lights_add_rectangle(lights, k_center, k_u, k_v, 0, bad),
                 "radiance is not finite");
+  const float glaring[3] = {1, 1e21f, 1};
+  check_refused(openltc_lights_add_sphere(lights, k_center, 1, glaring),
+                "radiance is negative, or");
   const float slanted[3] = {0.5f, 0, 1};
   check_refused(openltc_lights_add_ellipse(lights, k_center, k_u, slanted, 0, k_nits),
                 "not perpendicular");

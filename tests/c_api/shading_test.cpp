@@ -16,6 +16,10 @@ using namespace openltc::testing;
 
 namespace {
 
+// Lanes fuse multiply and add, and normalise directions in other ways than the scalar functions: an
+// ulp of them, over a lobe's width.
+constexpr double k_lanes_apart = 1e-3;
+
 Vec3f shade_all(const Surface& surface, const std::vector<CppLight>& lights) {
   Vec3f sum(0.0f);
   for (const CppLight& l : lights)
@@ -33,36 +37,50 @@ std::vector<float> shade_in_c(const openltc_lobes* lobes, const openltc_lights* 
 
 } // namespace
 
-TEST_CASE("every_light_gives_the_bits_of_the_cpp_api") {
-  const std::vector<Vertex> vertices = random_vertices(300);
+TEST_CASE("every_light_gives_what_the_cpp_api_does") {
+  const std::vector<Vertex> vertices = random_vertices(700); // more than a part
   const openltc_points points = points_of(vertices);
   const AllLights all;
   for (const int32_t form : {OPENLTC_TABLE, OPENLTC_POLYNOMIAL}) {
     const LobesHandle lobes = built_in_lobes(form);
     const Lobes cpp_lobes = form == OPENLTC_TABLE ? built_in_table() : built_in_polynomial();
     const std::vector<float> radiance = shade_in_c(lobes.get(), all.c.get(), points);
-    int differ = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Vec3f expected = shade_all(surface_of(vertices[i], cpp_lobes), all.cpp);
-      const float bits[3] = {expected.x, expected.y, expected.z};
-      differ += std::memcmp(bits, &radiance[3 * i], sizeof(bits)) != 0;
+      CAPTURE(i);
+      CHECK(radiance[3 * i] == doctest::Approx(expected.x).epsilon(k_lanes_apart));
+      CHECK(radiance[3 * i + 1] == doctest::Approx(expected.y).epsilon(k_lanes_apart));
+      CHECK(radiance[3 * i + 2] == doctest::Approx(expected.z).epsilon(k_lanes_apart));
     }
-    CHECK(differ == 0);
   }
 }
 
-TEST_CASE("each_kind_of_light_by_itself_lights_points_and_its_parts_add_up") {
-  const std::vector<Vertex> vertices = random_vertices(100);
+TEST_CASE("parts_have_the_bits_of_the_cpp_api") {
+  const std::vector<Vertex> vertices = random_vertices(300);
   const openltc_points points = points_of(vertices);
   const LobesHandle lobes = built_in_lobes();
   const AllLights all;
-  REQUIRE(openltc_lights_count(all.c.get()) == all.cpp.size());
   std::vector<float> diffuse(3 * points.count), specular(3 * points.count);
-  REQUIRE(openltc_shade_parts(lobes.get(), all.c.get(), &points, 1, diffuse.data(),
+  REQUIRE(openltc_shade_parts(lobes.get(), all.c.get(), &points, 0, diffuse.data(),
                               specular.data()) == OPENLTC_OK);
-  const std::vector<float> radiance = shade_in_c(lobes.get(), all.c.get(), points);
-  for (std::size_t k = 0; k < radiance.size(); ++k)
-    CHECK(diffuse[k] + specular[k] == doctest::Approx(radiance[k]).epsilon(1e-5));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Surface surface = surface_of(vertices[i], built_in_table());
+    Vec3f from_diffuse(0.0f), from_specular(0.0f);
+    for (const CppLight& l : all.cpp) {
+      const ShadedParts parts =
+          std::visit([&](const auto& light) { return shade_parts(surface, light); }, l.light);
+      from_diffuse += parts.diffuse * l.radiance;
+      from_specular += parts.specular * l.radiance;
+    }
+    CHECK(diffuse[3 * i + 1] == from_diffuse.y);
+    CHECK(specular[3 * i + 1] == from_specular.y);
+  }
+}
+
+TEST_CASE("each_kind_of_light_by_itself_lights_points") {
+  const std::vector<Vertex> vertices = random_vertices(100);
+  const AllLights all;
+  REQUIRE(openltc_lights_count(all.c.get()) == all.cpp.size());
   for (std::size_t kind = 0; kind < all.cpp.size(); ++kind) {
     CAPTURE(all.kinds[kind]);
     int lit = 0;
@@ -131,7 +149,7 @@ TEST_CASE("what_is_optional_may_be_null") {
     material.ior = v.material.ior;
     const Surface surface = make_surface(vector_of(v.position), vector_of(v.normal),
                                          vector_of(v.view), material, built_in_table());
-    CHECK(radiance[3 * i] == shade_all(surface, all.cpp).x);
+    CHECK(radiance[3 * i] == doctest::Approx(shade_all(surface, all.cpp).x).epsilon(k_lanes_apart));
   }
 }
 
