@@ -4,7 +4,7 @@
 # What `cmake --install` puts where, in components of which each can be installed by itself:
 #   headers   openltc/openltc.h with what it includes, openltc::openltc for CMake, openltc.pc; needs nothing
 #   library   the static libraries and their headers; beside `headers`
-#   tool      the tool, its man pages, shell completions and documents
+#   tool      the tool, its man pages, shell completions and documents: cmake/install_tool.cmake
 # find_package(openltc) finds the headers, find_package(openltc COMPONENTS library) both.
 
 include(GNUInstallDirs)
@@ -63,3 +63,7 @@ install(FILES ${PROJECT_BINARY_DIR}/openltc-config.cmake ${PROJECT_BINARY_DIR}/o
 file(RELATIVE_PATH prefix_from_pc /prefix/${CMAKE_INSTALL_DATADIR}/pkgconfig /prefix)
 configure_file(cmake/openltc.pc.in ${PROJECT_BINARY_DIR}/openltc.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/openltc.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig COMPONENT headers)
+
+if(OPENLTC_TOOL)
+  include(cmake/install_tool.cmake)
+endif()
