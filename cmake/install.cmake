@@ -59,8 +59,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/openltc-config-version.cm
 install(FILES ${PROJECT_BINARY_DIR}/openltc-config.cmake ${PROJECT_BINARY_DIR}/openltc-config-version.cmake
   DESTINATION ${package_dir} COMPONENT headers)
 
-# The folder may be moved afterwards: paths are relative to the .pc file.
-file(RELATIVE_PATH prefix_from_pc /prefix/${CMAKE_INSTALL_DATADIR}/pkgconfig /prefix)
+# The folder may be moved afterwards: its path is relative to the .pc file.
+file(RELATIVE_PATH include_from_pc ${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig ${CMAKE_INSTALL_FULL_INCLUDEDIR})
 configure_file(cmake/openltc.pc.in ${PROJECT_BINARY_DIR}/openltc.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/openltc.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig COMPONENT headers)
 

@@ -88,6 +88,13 @@ class Install(unittest.TestCase):
             [os.path.join(k_projects, "consumer.cpp"), "-o", program])
         run([program])
 
+    def test_the_tool_is_refused_without_the_libraries(self):
+        result = subprocess.run(self.configure("../..", "-DOPENLTC_LIBRARY=OFF", "-DOPENLTC_TOOL=ON",
+                                               "-B", os.path.join(self.folder, "refused")),
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("OPENLTC_LIBRARY=ON", result.stdout)
+
     def test_the_libraries_render(self):
         prefix = os.path.join(self.folder, "libraries")
         for component in ("headers", "library"):
@@ -99,6 +106,14 @@ class Install(unittest.TestCase):
         # The scene's four polygons; its fifth light is a point.
         printed = run([os.path.join(build, "consumer"), os.path.join(k_root, "scenes", "demo.glb")])
         self.assertIn("4 polygon lights", printed)
+        # Their headers include nothing that is not installed, and can all be included at once.
+        include = os.path.join(prefix, "include")
+        names = sorted(name for name in installed_files(include) if name.endswith(".h"))
+        self.assertGreater(len(names), 150)
+        program = os.path.join(self.folder, "all_headers.cpp")
+        with open(program, "w", encoding="utf-8") as stream:
+            stream.write("".join('#include "%s"\n' % name for name in names))
+        run([k_compiler, "-std=c++20", "-fsyntax-only", "-I", include, program])
 
     def configure(self, name, *arguments):
         return ["cmake", "-G", "Ninja", "-S", os.path.join(k_projects, name), "-B", os.path.join(self.folder, name),
