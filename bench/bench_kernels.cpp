@@ -7,7 +7,7 @@
 
 #include "bench/lookup.h"
 #include "openltc/light/packed_polygon.h"
-#include "openltc/render/light_set.h"
+#include "openltc/render/lights/light_set.h"
 #include "openltc/render/point_buffer.h"
 #include "openltc/table/lobe_polynomial.h"
 #include "openltc/table/lobe_table.h"

@@ -16,8 +16,8 @@
 #include "openltc/image/compare/metrics.h"
 #include "openltc/image/file.h"
 #include "openltc/image/tonemap.h"
-#include "openltc/render/camera_choice.h"
 #include "openltc/render/error_by_surface.h"
+#include "openltc/render/view/camera_choice.h"
 #include "openltc/scene/gltf.h"
 
 #include <fmt/format.h>

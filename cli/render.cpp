@@ -13,7 +13,7 @@
 #include "cli/render_options.h"
 #include "openltc/base/atomic_file.h"
 #include "openltc/base/memory_budget.h"
-#include "openltc/render/camera_choice.h"
+#include "openltc/render/view/camera_choice.h"
 
 #include <fmt/format.h>
 

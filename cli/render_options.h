@@ -7,7 +7,7 @@
 
 #include "openltc/image/display.h"
 #include "openltc/render/renderer.h"
-#include "openltc/render/studio_choice.h"
+#include "openltc/render/view/studio_choice.h"
 #include "openltc/scene/gltf.h"
 #include "openltc/table/shading_lobes.h"
 

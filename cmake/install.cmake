@@ -24,11 +24,13 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT headers)
 
 # Libraries.
 if(OPENLTC_LIBRARY)
-  set(folders base image draw brdf table fit light scene render plot)
+  get_property(folders GLOBAL PROPERTY OPENLTC_LIBRARIES)
+  list(REMOVE_ITEM folders openltc api target shade)
   list(TRANSFORM folders PREPEND openltc_ OUTPUT_VARIABLE libraries)
   install(TARGETS ${libraries} EXPORT openltc-library COMPONENT library
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT openltc-library NAMESPACE openltc:: DESTINATION ${package_dir} COMPONENT library)
+  install(FILES openltc/batch.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/openltc COMPONENT library)
   list(TRANSFORM folders PREPEND openltc/)
   install(DIRECTORY ${folders} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/openltc COMPONENT library
     FILES_MATCHING PATTERN "*.h"

@@ -20,6 +20,45 @@ struct Surface {
   bool usable = false;  ///< false: what it was made of was no point; nothing is reflected
 };
 
+namespace detail {
+
+/// Directions of a point as shading wants them: unit, world space, on the viewer's side.
+struct OrientedPoint {
+  bool usable = false; ///< false: they are none
+  Vec3f normal{0, 0, 1}, view{0, 0, 1}, geometric{0, 0, 1};
+};
+
+inline OrientedPoint orient(Vec3f position, Vec3f normal, Vec3f view) {
+  const Vec3f none(0.0f);
+  const Vec3f n = unit_or(normal, none), wo = unit_or(view, none);
+  if (!(is_place(position) && dot(n, n) > 0.5f && dot(wo, wo) > 0.5f)) return {};
+  const Vec3f up = towards_viewer(n, wo);
+  return {true, up, wo, up};
+}
+
+inline OrientedPoint orient(Vec3f position, Vec3f normal, Vec3f view, Vec3f geometric_normal) {
+  const Vec3f geometric = unit_or(geometric_normal, Vec3f(0.0f));
+  if (!(dot(geometric, geometric) > 0.5f)) return {};
+  const bool from_front = dot(geometric, view) >= 0;
+  OrientedPoint point = orient(position, from_front ? normal : -normal, view);
+  point.geometric = from_front ? geometric : -geometric;
+  return point;
+}
+
+inline Surface surface_of(Vec3f position, const OrientedPoint& oriented, const Material& material,
+                          const Lobes& lobes) {
+  Surface surface;
+  surface.usable = oriented.usable && has_lobes(lobes);
+  if (!surface.usable) return surface;
+  const Reflectance r = reflectance_of(material);
+  const Vec3f &up = oriented.normal, &wo = oriented.view;
+  surface.point = f32::make_surface(find_lobe(lobes, r.roughness, dot(up, wo)), position, up, wo,
+                                    r.albedo, r.f0, Vec3f(r.f90), r.roughness);
+  return surface;
+}
+
+} // namespace detail
+
 /// Prepares a point for shading: one look-up of a lobe, which all lights share.
 ///
 /// position: world space, metres, within k_max_coordinate.
@@ -32,17 +71,7 @@ struct Surface {
 /// is black.
 inline Surface make_surface(Vec3f position, Vec3f normal, Vec3f view, const Material& material,
                             const Lobes& lobes) {
-  const Vec3f none(0.0f);
-  Surface surface;
-  const Vec3f n = detail::unit_or(normal, none), wo = detail::unit_or(view, none);
-  surface.usable = detail::is_place(position) && dot(n, n) > 0.5f && dot(wo, wo) > 0.5f &&
-                   detail::has_lobes(lobes);
-  if (!surface.usable) return surface;
-  const Vec3f up = detail::towards_viewer(n, wo);
-  const Reflectance r = reflectance_of(material);
-  surface.point = f32::make_surface(detail::find_lobe(lobes, r.roughness, dot(up, wo)), position,
-                                    up, wo, r.albedo, r.f0, Vec3f(r.f90), r.roughness);
-  return surface;
+  return detail::surface_of(position, detail::orient(position, normal, view), material, lobes);
 }
 
 /// The same with the normal of the triangle that the point is on: world space, either side, any
@@ -53,13 +82,9 @@ inline Surface make_surface(Vec3f position, Vec3f normal, Vec3f view, const Mate
 /// normal maps and interpolated normals let no light through.
 inline Surface make_surface(Vec3f position, Vec3f normal, Vec3f view, const Material& material,
                             const Lobes& lobes, Vec3f geometric_normal) {
-  const Vec3f none(0.0f);
-  Vec3f geometric = detail::unit_or(geometric_normal, none);
-  if (!(dot(geometric, geometric) > 0.5f)) return {};
-  const bool from_front = dot(geometric, view) >= 0;
-  Surface surface = make_surface(position, from_front ? normal : -normal, view, material, lobes);
-  if (surface.usable)
-    surface.point = f32::set_geometric_normal(surface.point, from_front ? geometric : -geometric);
+  const detail::OrientedPoint oriented = detail::orient(position, normal, view, geometric_normal);
+  Surface surface = detail::surface_of(position, oriented, material, lobes);
+  if (surface.usable) surface.point = f32::set_geometric_normal(surface.point, oriented.geometric);
   return surface;
 }
 

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "openltc/render/shading_kernel.h"
+#include "openltc/render/kernel_types.h"
 #include "openltc/render/surface_point.h"
 
 #include <array>

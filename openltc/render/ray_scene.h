@@ -6,7 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
-#include "openltc/render/shading_kernel.h"
+#include "openltc/render/kernel_types.h"
 #include "openltc/render/texture_sampler.h"
 #include "openltc/scene/scene.h"
 

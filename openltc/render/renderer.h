@@ -8,7 +8,7 @@
 #include "openltc/base/progress.h"
 #include "openltc/base/result.h"
 #include "openltc/image/image.h"
-#include "openltc/render/shading_kernel.h"
+#include "openltc/render/kernel_types.h"
 #include "openltc/scene/scene.h"
 #include "openltc/table/lobe_polynomial.h"
 #include "openltc/table/lobe_table.h"

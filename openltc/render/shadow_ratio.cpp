@@ -4,7 +4,7 @@
 #include "openltc/render/shadow_ratio.h"
 
 #include "openltc/base/sampling.h"
-#include "openltc/render/light_chooser.h"
+#include "openltc/render/lights/light_chooser.h"
 
 #include <algorithm>
 

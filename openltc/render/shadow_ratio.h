@@ -16,7 +16,7 @@
 
 #pragma once
 
-#include "openltc/render/light_tree.h"
+#include "openltc/render/lights/light_tree.h"
 #include "openltc/render/point_buffer.h"
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 // bit.
 
 #include "openltc/openltc.h"
-#include "openltc/render/light_set.h"
+#include "openltc/render/lights/light_set.h"
 #include "openltc/render/point_buffer.h"
 #include "openltc/render/surface_point.h"
 #include "openltc/table/lobe_polynomial.h"

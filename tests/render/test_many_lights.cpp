@@ -6,8 +6,8 @@
 
 #include "openltc/light/packed_polygon.h"
 #include "openltc/light/shapes.h"
-#include "openltc/render/light_set.h"
-#include "openltc/render/light_tree.h"
+#include "openltc/render/lights/light_set.h"
+#include "openltc/render/lights/light_tree.h"
 #include "openltc/render/point_buffer.h"
 #include "openltc/render/renderer.h"
 #include "openltc/table/lobe_table.h"

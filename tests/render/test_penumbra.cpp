@@ -6,7 +6,7 @@
 // plain.
 
 #include "openltc/render/camera_rays.h"
-#include "openltc/render/light_set.h"
+#include "openltc/render/lights/light_set.h"
 #include "openltc/render/shadow_ratio.h"
 #include "test_scenes.h"
 

@@ -4,7 +4,7 @@
 // Point and spot lights with a measured profile, rendered.
 
 #include "openltc/light/photometry/ies.h"
-#include "openltc/render/light_set.h"
+#include "openltc/render/lights/light_set.h"
 #include "openltc/render/renderer.h"
 #include "openltc/table/lobe_table.h"
 #include "test_scenes.h"

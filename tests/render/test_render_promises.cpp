@@ -4,7 +4,7 @@
 // Promises of the renderer that are not about light: same bytes, kernels agree, alpha, errors.
 
 #include "openltc/render/renderer.h"
-#include "openltc/render/studio_choice.h"
+#include "openltc/render/view/studio_choice.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

@@ -3,8 +3,8 @@
 //
 // What a picture of a scene without camera shows, stated in the geometry of scenes made here.
 
-#include "openltc/render/studio_room.h"
-#include "openltc/render/view_choice.h"
+#include "openltc/render/view/studio_room.h"
+#include "openltc/render/view/view_choice.h"
 #include "openltc/scene/view/studio.h"
 #include "test_scenes.h"
 

@@ -3,8 +3,9 @@
 //
 // A program that renders: consumer SCENE.glb takes a small picture of a glTF scene.
 
-#include "openltc/render/camera_choice.h"
+#include "openltc/batch.h"
 #include "openltc/render/renderer.h"
+#include "openltc/render/view/camera_choice.h"
 #include "openltc/scene/gltf.h"
 #include "openltc/table/lobe_table.h"
 
