@@ -29,9 +29,10 @@ class Install(unittest.TestCase):
     def setUpClass(cls):
         cls.work = tempfile.TemporaryDirectory()
         cls.folder = cls.work.name
-        # Moved afterwards: nothing in it may hold the path that it was installed to.
+        # Moved afterwards: nothing in it may hold the path that it was installed to. Without a space in its
+        # name, at which older versions of pkg-config cut it in two.
         build, first = os.path.join(cls.folder, "headers"), os.path.join(cls.folder, "first")
-        cls.prefix = os.path.join(cls.folder, "moved here")
+        cls.prefix = os.path.join(cls.folder, "moved")
         run(["cmake", "-G", "Ninja", "-S", k_root, "-B", build, "-DOPENLTC_LIBRARY=OFF", "-DCMAKE_INSTALL_LIBDIR=lib",
              "-DCMAKE_CXX_COMPILER=" + k_compiler])
         with open(os.path.join(build, "CMakeCache.txt"), encoding="utf-8") as stream:
