@@ -36,6 +36,9 @@ else()
   message(STATUS "python3 not found: man pages and completions will not be installed")
 endif()
 
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return() # what is packaged is that project's to say
+endif()
 set(CPACK_GENERATOR TGZ DEB)
 set(CPACK_COMPONENTS_ALL tool)
 set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
