@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights figures test bench format format-check sanitize fuzz fuzz-lights cross clean
+.PHONY: help setup build build-all build-checked demo lights package figures test bench format format-check sanitize fuzz fuzz-lights cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -42,6 +42,10 @@ demo: build ## Render the demo scene by LTC and by reference, and compare the tw
 
 lights: build ## Render every shape of light by LTC and by reference, and compare
 	@tools/lights_demo.sh
+
+package: build ## Make a .deb and a .tar.gz of the tool: out
+	@cpack --config build/release/CPackConfig.cmake -B out
+	@rm -r out/_CPack_Packages
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh
