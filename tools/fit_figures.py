@@ -48,7 +48,7 @@ def figures(data, which):
     ]
 
 
-HEAD = ["TV", "TV, .01–.06", "L2", "L3", "peak, median", "peak, p95", "leak", "bends, 10⁻⁴",
+HEAD = ["TV", "TV, 0.01–0.06", "L2", "L3", "peak, median", "peak, p95", "leak", "bends, 10⁻⁴",
         "rectangles"]
 
 
@@ -78,7 +78,7 @@ def times(bin_folder):
                          capture_output=True, text=True)
     rows = []
     for entry in json.loads(run.stdout)["benchmarks"]:
-        name = entry["name"].removesuffix("/real_time")
+        name = entry["name"].removesuffix("/real_time").replace(" x ", " × ")
         rounded = float(f"{entry['real_time']:.3g}")
         value = f"{rounded:g} {entry['time_unit'].replace('us', 'µs')}"
         if "ns/point" in entry:
