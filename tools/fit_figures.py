@@ -7,8 +7,9 @@ times instead; with --maps, the heat maps alone.
 
     tools/fit_figures.py [--times | --maps] [folder of the programs]
 
-The published table is compared with when ../shared/tables is there; without it the page is left
-alone, since half of its figures would be missing.
+The published table, ltc_1.dds and ltc_2.dds of the code to Heitz, Dupuy, Hill, Neubelt 2016, is
+compared with when it lies in ../shared/tables as ltc_code_1.dds and ltc_code_2.dds; without it the
+page is left alone, since half of its figures would be missing.
 """
 
 import json
