@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Checks the pages and the comments of the repository: check_docs.py [ROOT].
 
-1. Links of a page lead to a file or folder that exists.
+1. Links of a page lead to a file or folder that exists, and to a heading of it.
 2. A file or folder of the repository that the text of a page or a comment names exists. It may be named from
    the root, from the folder of whoever names it, or by the end of its path (`shade/edge.glsl`,
    `edge.glsl`). Placeholders (`X.cpp`, `NAME.cpp`), globs and outputs of a build are no names.
@@ -15,6 +15,7 @@ docs/decisions.md tells how things were, so rules 2 to 4 leave it alone. Prints 
 path:line: text, and ends with 1 if there is one.
 """
 
+import functools
 import io
 import os
 import re
@@ -32,7 +33,7 @@ k_file = re.compile(r"(?<![\w./<>{}*+~$-])((?:\.\./)*(?:[\w-]+/)*[\w-]+(?:\.[\w-
                     % k_endings)
 k_folder = re.compile(r"(?<![\w./<>{}*+~$:-])((?:%s)/[\w/-]*\w)(?![\w*{<>(]|[./-]+[\w*{<>(])"
                       % "|".join(k_top_folders))
-k_link = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+k_link = re.compile(r"\]\(([^)#\s]*)(?:#([^)\s]*))?\)")
 k_scheme = re.compile(r"[a-z][a-z0-9+.-]*:")
 k_number = re.compile(r"(?<![\w.)\]/*])\.[0-9]")
 k_times = re.compile(r"[0-9](?:×| ?x ?)[0-9]")
@@ -120,12 +121,24 @@ def check_names(path, lines, names):
                 yield number, "%s: there is no such file" % name
 
 
+@functools.lru_cache(maxsize=None)
+def headings_of(place):
+    """The names by which links reach the headings of a page, as GitHub makes them."""
+    with open(place, encoding="utf-8") as stream:
+        titles = [line.lstrip("#").strip() for line in without_blocks(stream.read()) if line.startswith("#")]
+    titles = [re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title) for title in titles]
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
 def check_page(root, path, text):
     for number, line in enumerate(text.splitlines(), 1):
-        for target in k_link.findall(line):
-            place = os.path.join(root, os.path.dirname(path), target)
-            if not k_scheme.match(target) and not os.path.exists(place):
-                yield number, "the link to %s leads nowhere" % target
+        for target, heading in k_link.findall(line):
+            place = os.path.join(root, os.path.dirname(path), target) if target else os.path.join(root, path)
+            if k_scheme.match(target):
+                continue
+            if not os.path.exists(place) or (heading and place.endswith(".md")
+                                             and heading not in headings_of(place)):
+                yield number, "the link to %s leads nowhere" % "#".join(filter(None, (target, heading)))
         if path != k_history and k_outside.search(line):
             yield number, "%s is not in the repository" % k_outside.search(line).group()
     if path == k_history:

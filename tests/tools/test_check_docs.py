@@ -58,7 +58,10 @@ class Docs(unittest.TestCase):
     def test_links_lead_somewhere(self):
         self.assert_breach("docs/a.md", "[lost](lost)\n", "leads nowhere")
         self.assert_breach("docs/decisions.md", "[lost](lost)\n", "leads nowhere")
-        self.assert_clean("docs/a.md", "[a](a.md#part), [b](../openltc/shade), [c](https://x.y/z)\n")
+        self.assert_breach("docs/a.md", "# Part\n\n[lost](a.md#lost)\n", "leads nowhere")
+        self.assert_breach("docs/a.md", "# Part\n\n[lost](#lost)\n", "leads nowhere")
+        self.assert_clean("docs/a.md", "## 1. The `part`, so\n\n[a](a.md#1-the-part-so), [a](#1-the-part-so)\n")
+        self.assert_clean("docs/a.md", "# Part\n\n[a](a.md#part), [b](../openltc/shade), [c](https://x.y/z)\n")
 
     def test_pages_stay_in_the_repository(self):
         self.assert_breach("docs/a.md", "```\nopenltc inspect ../shared/a.dds\n```\n", "../shared")
