@@ -120,7 +120,7 @@ def check_licence(lines):
 
 
 def check_library_include(path, form, header):
-    """Breaches by one #include of a file of openltc/; path is like openltc/render/camera.cpp."""
+    """Breaches by one #include of a file of openltc/; path is like openltc/render/renderer.cpp."""
     folder = path.split("/")[1]
     if folder in k_umbrellas:
         if header.startswith("openltc/api/") or (form == "<" and folder != "openltc.h"):
