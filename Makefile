@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights figures test bench format format-check sanitize fuzz fuzz-lights clean
+.PHONY: help setup build build-all build-checked demo lights package figures test bench format format-check sanitize fuzz fuzz-lights cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -43,6 +43,10 @@ demo: build ## Render the demo scene by LTC and by reference, and compare the tw
 lights: build ## Render every shape of light by LTC and by reference, and compare
 	@tools/lights_demo.sh
 
+package: build ## Make a .deb and a .tar.gz of the tool: out
+	@cpack --config build/release/CPackConfig.cmake -B out
+	@rm -r out/_CPack_Packages
+
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh
 
@@ -68,6 +72,9 @@ fuzz: setup ## Fuzz every reader of files for FUZZ_SECONDS (60) each
 	cmake --preset fuzz -DCMAKE_CXX_COMPILER=$(FUZZ_CXX)
 	cmake --build --preset fuzz --parallel $(JOBS) --target fuzz
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) tools/fuzz.sh build/fuzz
+
+cross: ## Compile the public API for Windows, macOS and AArch64, and compare their numbers where they run
+	@tools/cross.sh
 
 fuzz-lights: build-all ## Evaluate FUZZ_LIGHTS (10000000) random and adversarial lights of each shape
 	@build/release/bin/fuzz_lights $(FUZZ_LIGHTS)

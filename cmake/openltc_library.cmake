@@ -22,5 +22,7 @@ function(openltc_library name)
   endif()
   target_include_directories(openltc_${name} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   target_compile_features(openltc_${name} ${scope} ${standard})
+  set_property(GLOBAL APPEND PROPERTY OPENLTC_LIBRARIES ${name}) # for cmake/install.cmake
+  set_target_properties(openltc_${name} PROPERTIES EXPORT_NAME ${name})
   add_library(openltc::${name} ALIAS openltc_${name})
 endfunction()

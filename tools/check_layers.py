@@ -121,7 +121,7 @@ def check_licence(lines):
 
 
 def check_library_include(path, form, header):
-    """Breaches by one #include of a file of openltc/; path is like openltc/render/camera.cpp."""
+    """Breaches by one #include of a file of openltc/; path is like openltc/render/renderer.cpp."""
     folder = path.split("/")[1]
     if folder == k_c_header:
         return [] if header in ("stddef.h", "stdint.h") else ["openltc_c.h includes headers of C alone, "

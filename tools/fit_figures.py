@@ -7,19 +7,20 @@ times instead; with --maps, the heat maps alone.
 
     tools/fit_figures.py [--times | --maps] [folder of the programs]
 
-The published table is compared with when ../shared/tables is there; without it the page is left
-alone, since half of its figures would be missing.
+The published table, ltc_1.dds and ltc_2.dds of the code to Heitz, Dupuy, Hill, Neubelt 2016, is
+compared with when it lies in ../shared/tables as ltc_code_1.dds and ltc_code_2.dds; without it the
+page is left alone, since half of its figures would be missing.
 """
 
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PUBLISHED_HERE = "../shared/tables/ltc_code_1.dds"  # from ROOT, as captions say it
-PUBLISHED = ROOT / PUBLISHED_HERE
+PUBLISHED = ROOT / "../shared/tables/ltc_code_1.dds"
 PAGE = ROOT / "docs" / "fitting.md"
 IMAGES = ROOT / "docs" / "images"
 
@@ -48,7 +49,7 @@ def figures(data, which):
     ]
 
 
-HEAD = ["TV", "TV, .01–.06", "L2", "L3", "peak, median", "peak, p95", "leak", "bends, 10⁻⁴",
+HEAD = ["TV", "TV, 0.01–0.06", "L2", "L3", "peak, median", "peak, p95", "leak", "second difference, 10⁻⁴",
         "rectangles"]
 
 
@@ -61,9 +62,14 @@ def markdown(head, rows):
 def heat_maps(openltc):
     """The built-in table beside the published one and beside the limit of single lobes."""
     norms = [word for name in ("tv", "l2", "peak", "leak") for word in ("--norm", name)]
-    for name, other in (("fit_published", PUBLISHED_HERE), ("fit_limit", "limit")):
-        subprocess.run([openltc.resolve(), "plot", "error", "--quiet", "--against", other, *norms,
-                        "-o", IMAGES / f"{name}.svg"], check=True, cwd=ROOT)
+    with tempfile.TemporaryDirectory() as folder:
+        # Under the names that the tables were published with, since captions say them.
+        for number in ("1", "2"):
+            shutil.copy(PUBLISHED.with_name(f"ltc_code_{number}.dds"),
+                        pathlib.Path(folder) / f"ltc_{number}.dds")
+        for name, other in (("fit_published", "ltc_1.dds"), ("fit_limit", "limit")):
+            subprocess.run([openltc.resolve(), "plot", "error", "--quiet", "--against", other, *norms,
+                            "-o", IMAGES / f"{name}.svg"], check=True, cwd=folder)
 
 
 def replace_block(text, name, block):
@@ -78,7 +84,7 @@ def times(bin_folder):
                          capture_output=True, text=True)
     rows = []
     for entry in json.loads(run.stdout)["benchmarks"]:
-        name = entry["name"].removesuffix("/real_time")
+        name = entry["name"].removesuffix("/real_time").replace(" x ", " × ")
         rounded = float(f"{entry['real_time']:.3g}")
         value = f"{rounded:g} {entry['time_unit'].replace('us', 'µs')}"
         if "ns/point" in entry:

@@ -14,7 +14,7 @@
 #   SCENE=scenes/demo.glb   SIZE=640x360
 #   REFERENCE_SAMPLES=4096
 #   PUBLISHED=../shared/tables/ltc_code_1.dds   the published table, left out where it is missing
-#   OLD_BUILTIN=a123086              commit whose built-in table is measured too; empty: none
+#   OLD_BUILTIN=                     commit whose built-in table is measured too; empty: none
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -24,7 +24,7 @@ scene="${SCENE:-scenes/demo.glb}"
 size="${SIZE:-640x360}"
 reference_samples="${REFERENCE_SAMPLES:-4096}"
 published="${PUBLISHED-../shared/tables/ltc_code_1.dds}"
-old_builtin="${OLD_BUILTIN-a123086}"
+old_builtin="${OLD_BUILTIN-}"
 
 if [[ ! -x "$tool" ]]; then
   echo "measure_lobes: $tool is not there; run 'make build'" >&2

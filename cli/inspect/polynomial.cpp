@@ -43,8 +43,9 @@ Result<Description> inspect_polynomial(const std::string& path) {
   const fit::Certificate certificate = fit::certify_determinant(*read);
   const bool proper = certificate.lower_bound > 0;
   Description out;
-  out.text = fmt::format("lobe polynomial of degree {}, {} terms of A B C D n1 n5, width {}\n",
-                         read->degree, terms, width);
+  out.text =
+      fmt::format("lobe polynomial of degree {}, {} terms of A B C D n1 (n5/n1)^(1/5), width {}\n",
+                  read->degree, terms, width);
   out.text += fmt::format("brdf       {} ({})\n", quote(m.brdf), quote(m.variant));
   out.text += fmt::format("objective  {}\n", quote(m.objective));
   out.text +=

@@ -16,11 +16,11 @@ void add_plot_literal(CLI::App& plot, int& exit_code) {
       plot, "literal", "The source document's formulas, taken literally, beside the corrected ones",
       *output);
   command->footer(
-      "The document that OpenLTC implements slips in places. Six panels show by how much: the\n"
+      "The document that OpenLTC began with is wrong in places. Six panels show by how much: the\n"
       "denominator counted twice, Schlick's exponent inside the bracket, Fresnel applied twice, "
       "the\n"
       "lobe without its amplitude, the determinant read as a norm, and the point light of 0.1.3.\n"
-      "docs/method.md explains each.\n"
+      "docs/source_document.md explains each.\n"
       "\n"
       "Examples:\n"
       "  openltc plot literal                                  literal.svg, here\n"

@@ -3,9 +3,9 @@
 //
 // The inner loop of every fit: sums over the points of a quadrature. Internal to fit.
 //
-// Compiled once per instruction set from lobe_sums.inc. Eight points at a time, whatever the width
-// of the machine's registers, without fused operations: every addition happens in the same order
-// and rounds the same way, so the bits of a fit do not depend on the machine.
+// Compiled once per instruction set from lobe_sums_variant.cpp. Eight points at a time, whatever
+// the width of the machine's registers, without fused operations: every addition happens in the
+// same order and rounds the same way, so the bits of a fit do not depend on the machine.
 
 #pragma once
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The formulas of the document that this project began with, taken literally, and what they
-// integrate to. They are wrong; docs/method.md says why. Only `openltc plot literal` draws them:
-// nothing shades with them.
+// integrate to. They are wrong; docs/source_document.md says why. Only `openltc plot literal` draws
+// them: nothing shades with them. Sections are those of that document.
 //
 // Directions are unit, in shading space, and point away from the surface. Integrals are sums over
 // points of the sphere, those of lobes good to 1 in 1000 for view angles up to 60 degrees.
@@ -14,7 +14,7 @@
 
 namespace openltc::plot {
 
-/// A quantity by the corrected formula and by the source's.
+/// A quantity by the corrected formula and by the source document's.
 struct Slip {
   double correct = 0;
   double literal = 0;

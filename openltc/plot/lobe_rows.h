@@ -29,7 +29,7 @@ struct LobeRow {
   std::vector<LobeCell> cells;
 };
 
-/// The rows of the source's figure 1.
+/// The rows of figure 1 of the source document (docs/source_document.md).
 enum class StandardRow { cosine, roughness, anisotropy, skew };
 
 LobeRow standard_row(StandardRow row);

@@ -117,7 +117,7 @@ Result<std::string> source_text(const PackedTable& packed, Container container,
   case Container::wgsl:
     return to_source(packed, SourceLanguage::wgsl, name);
   case Container::js:
-    return to_source(packed, SourceLanguage::js, name);
+    return to_source(packed, SourceLanguage::javascript, name);
   default:
     break;
   }

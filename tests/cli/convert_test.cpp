@@ -23,7 +23,7 @@ const std::string k_published = OPENLTC_SHARED_DIR "/tables/ltc_code_1.dds";
 
 bool published_is_there() {
   if (std::filesystem::exists(k_published)) return true;
-  MESSAGE("skipped: ../shared/tables is not there");
+  MESSAGE("skipped: the published table is not there, see tests/CMakeLists.txt");
   return false;
 }
 

@@ -250,7 +250,7 @@ TEST_CASE("reports_compare_with_tables_polynomials_and_bare_textures") {
     arguments.insert(arguments.end(), {"--against", published});
     labels.emplace_back("ltc_code_1.dds");
   } else {
-    MESSAGE("skipped the published table: ../shared/tables is not there");
+    MESSAGE("skipped the published table: it is not there, see tests/CMakeLists.txt");
   }
   labels.emplace_back("limit");
   const Run run = fit(arguments);

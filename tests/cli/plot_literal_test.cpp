@@ -65,7 +65,7 @@ TEST_CASE("plot_literal_writes_a_well_formed_figure_and_the_same_each_time") {
   CHECK(contains(run.err, "wrote literal.svg"));
   const std::string svg = text_of(folder.file("literal.svg"));
   CHECK(is_well_formed(svg));
-  // What docs/method.md says, and the command.
+  // What docs/source_document.md says, and the command.
   for (const char* stated : {"14.7", "0.886", "0.970", "0.070", "openltc plot literal"}) {
     CAPTURE(stated);
     CHECK(contains(svg, std::string(">") + stated + "</text>"));

@@ -92,7 +92,7 @@ TEST_CASE("mean total variation: tables of 64 and 16 nodes, the ltc_code layout,
 TEST_CASE("balanced beats the published table in every figure at once") {
   const auto published = testing::published_lobes();
   if (!published) {
-    MESSAGE("skipped: ../shared/tables is not there");
+    MESSAGE("skipped: the published table is not there, see tests/CMakeLists.txt");
     return;
   }
   const table::LobeTable native = fitted("balanced", 64), tv = fitted("tv", 64);

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// The formulas of the document that this project began with, taken literally, fail the tests that
-// the corrected ones pass. They are kept here and, for the figure of openltc plot literal, in
-// openltc/plot/literal_formulas.h; nowhere else.
+// The formulas of the document that this project began with (docs/source_document.md), taken
+// literally, fail the tests that the corrected ones pass. They are kept here and, for the figure of
+// openltc plot literal, in openltc/plot/literal_formulas.h; nowhere else.
 
 #include "openltc/target/shade_f64.h"
 #include "sphere_quadrature.h"

@@ -61,7 +61,7 @@ TEST_CASE("the limits: a small sphere, a hemisphere, the whole above or below th
 TEST_CASE("the published table's fourth channel is this function, to half precision") {
   std::ifstream file(OPENLTC_SHARED_DIR "/tables/ltc_code_2.dds", std::ios::binary);
   if (!file) {
-    MESSAGE("skipped: ../shared/tables is not there");
+    MESSAGE("skipped: the published table is not there, see tests/CMakeLists.txt");
     return;
   }
   const table::Bytes bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

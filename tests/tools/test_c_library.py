@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -115,6 +116,24 @@ class Library(unittest.TestCase):
         needed = re.findall(r"\(NEEDED\).*\[(.*)\]", self.read("readelf", "-d"))
         self.assertGreater(len(needed), 0)
         self.assertEqual([name for name in needed if not k_needed.match(name)], [])
+
+    def test_it_is_installed_with_what_a_program_needs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            first, prefix = os.path.join(folder, "first"), os.path.join(folder, "moved")
+            build = os.path.dirname(os.path.dirname(k_library))
+            subprocess.run(["cmake", "--install", build, "--prefix", first, "--component", "c"], check=True,
+                           stdout=subprocess.DEVNULL)
+            os.rename(first, prefix)
+            found = [at for at, _, names in os.walk(prefix) if "openltc_c.pc" in names]
+            self.assertEqual(len(found), 1)
+            flags = subprocess.run(["pkg-config", "--cflags", "--libs", "openltc_c"], capture_output=True, text=True,
+                                   check=True, env=dict(os.environ, PKG_CONFIG_PATH=found[0])).stdout.split()
+            program = os.path.join(folder, "shade_quad")
+            subprocess.run([k_compiler, "-std=c99", os.path.join(k_root, "docs/examples/shade_quad.c"), "-o", program]
+                           + flags, check=True)
+            printed = subprocess.run([program], capture_output=True, text=True, check=True,
+                                     env=dict(os.environ, LD_LIBRARY_PATH=os.path.dirname(found[0]))).stdout
+            self.assertRegex(printed, r"^in the middle: \d+\.\d+ nits$")
 
     def call(self, name, *arguments):
         self.assertEqual(getattr(self.library, name)(*arguments), k_ok, self.library.openltc_last_error())

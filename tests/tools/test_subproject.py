@@ -1,6 +1,7 @@
 # Copyright (c) 2026 The OpenLTC authors
 # SPDX-License-Identifier: MIT
-"""Inside another project OpenLTC is its libraries: no tool, test, benchmark or flag of its own."""
+"""Inside another project that asks for them OpenLTC is its libraries: no tool, test, benchmark or flag of
+its own. What it is where nobody asks, test_install.py says."""
 
 import os
 import subprocess
@@ -13,6 +14,7 @@ k_compiler = sys.argv.pop(1)
 
 k_project = """cmake_minimum_required(VERSION 3.22)
 project(consumer LANGUAGES CXX)
+set(OPENLTC_LIBRARY ON)
 add_subdirectory("%s" openltc)
 add_executable(consumer consumer.cpp)
 target_link_libraries(consumer PRIVATE openltc::base)

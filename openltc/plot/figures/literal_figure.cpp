@@ -238,8 +238,8 @@ draw::Figure make_literal_figure() {
   draw::Figure figure;
   figure.title = "The source document's formulas, taken literally";
   figure.caption =
-      "Dashed: formulas of the document that OpenLTC implements, as they stand. Solid: corrected. "
-      "See docs/method.md.\nopenltc plot literal";
+      "Dashed: the formulas of docs/source_document.md, taken literally. Solid: corrected.\n"
+      "openltc plot literal";
   figure.width = 55 + k_column_step + k_panel_width + 10;
   figure.height = 3 * k_row_step + 24;
   const std::vector<draw::Curve> legend = {{"corrected", {}, 0}, {"the source, literally", {}, 1}};

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// tinygltf does not see animations (gltf_document.cpp), so that they are checked here, each for
+// tinygltf does not see animations (document.cpp), so that they are checked here, each for
 // itself: a damaged one that nobody asks for costs no picture.
 
 #include "openltc/scene/gltf/animation.h"

@@ -13,7 +13,7 @@ namespace openltc::scene::gltf {
 struct Document;
 
 /// Goes through the file's default scene (else its first one, else all root nodes), its nodes in
-/// `pose` (gltf_hierarchy.h), and fills the scene's origin, meshes, cameras and the lights that
+/// `pose` (hierarchy.h), and fills the scene's origin, meshes, cameras and the lights that
 /// nodes carry, extras_lights and to_world. Throws Failure, also for cycles, for nodes with several
 /// parents and for what lies beyond light::k_max_metres.
 void read_nodes(Document& document, std::span<const NodePose> pose, Imported& imported);

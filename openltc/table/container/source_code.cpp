@@ -85,7 +85,7 @@ std::string texture_text(const Texture& t, SourceLanguage language, const std::s
     return fmt::format("const {} = array<{}, {}>(\n{});\n", name, row, t.height,
                        texels(t, fmt::format("vec{}<f32>(", n), ")", "", row + "(\n", ")"));
   }
-  case SourceLanguage::js:
+  case SourceLanguage::javascript:
     return fmt::format("export const {} = new Float32Array([\n{}]);\n", name,
                        texels(t, "", "", ""));
   }
@@ -109,7 +109,7 @@ std::string to_source(const PackedTable& packed, SourceLanguage language, const 
       out += fmt::format(", {}_channels_{} = {}", id, t + 1, packed.textures[t].channels);
     out += " };\n\n";
   }
-  if (language == SourceLanguage::js)
+  if (language == SourceLanguage::javascript)
     out += fmt::format("export const {}_info = {};\n\n", id, description_to_json(description));
   for (std::size_t t = 0; t < packed.textures.size(); ++t)
     out += texture_text(packed.textures[t], language, fmt::format("{}_{}", id, t + 1)) + "\n";

@@ -5,13 +5,12 @@
 
 #pragma once
 
+#include "openltc/table/container/source_language.h"
 #include "openltc/table/layout.h"
 
 #include <string>
 
 namespace openltc::table {
-
-enum class SourceLanguage { c, glsl, hlsl, wgsl, js };
 
 /// Source that defines the textures as NAME_1 (and NAME_2), row by row, with the description as
 /// comments. `name` may be any text; what identifiers cannot hold becomes an underscore.
@@ -19,7 +18,7 @@ enum class SourceLanguage { c, glsl, hlsl, wgsl, js };
 ///   glsl: const vec4 (vec2) arrays of columns * rows; GLSL 3.30, ES 3.00 and later.
 ///   hlsl: static const float4 (float2) arrays.
 ///   wgsl: const arrays of rows, each an array of columns (one constructor takes at most 2047).
-///   js: an ES module; Float32Arrays, and the description as NAME_info.
+///   javascript: an ES module; Float32Arrays, and the description as NAME_info.
 std::string to_source(const PackedTable& packed, SourceLanguage language, const std::string& name);
 
 } // namespace openltc::table
