@@ -24,10 +24,8 @@
 //   caller's to get right.
 // - A light or a table of numbers that are no light and no table is refused. Points are data: what
 //   is not finite there, or has no direction, is black. Results are finite and not negative.
-// - Nothing throws, prints or keeps state, but for the last error, which each thread has its own
-// of.
-//   Different threads may read the same lobes and lights at once; a handle that is being changed or
-//   destroyed belongs to one.
+// - Nothing throws, prints or keeps state, but for the last error of each thread. Threads may read
+//   the same lobes and lights at once; a handle that is being changed or destroyed belongs to one.
 
 #ifndef OPENLTC_OPENLTC_C_H
 #define OPENLTC_OPENLTC_C_H
@@ -375,7 +373,7 @@ OPENLTC_EXPORT size_t openltc_fit_capacity(const openltc_fit_options* options);
 /// ".binary", and writes them to `numbers`, which has room for `capacity` floats, in the form that
 /// openltc_lobes_create_table or openltc_lobes_create_polynomial reads. Runs on all cores; the
 /// result does not depend on them. With null for `result` the error is not measured, which saves a
-/// good part of the time. Where it fails `numbers` is as it was.
+/// good part of the time. Where it fails `numbers` is as it was, and `result` zero.
 OPENLTC_EXPORT openltc_status openltc_fit(const char* brdf, const openltc_fit_options* options,
                                           float* numbers, size_t capacity,
                                           openltc_fit_result* result);
