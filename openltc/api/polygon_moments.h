@@ -21,6 +21,7 @@ struct PolygonMoments {
   /// mean of f over centroid +- spread_u and +- spread_v is that over the area for every cubic f
   /// whose mixed third moments vanish, and for all quadratic ones.
   Vec2d spread_u{0, 0}, spread_v{0, 0};
+  double fourth = 0; ///< mean over the area of |p - centroid|^4
 };
 
 namespace detail {
@@ -33,6 +34,16 @@ inline void set_spread(PolygonMoments& moments, double xx, double xy, double yy)
   const double v = std::sqrt(2 * std::max(mean - half, 0.0));
   moments.spread_u = Vec2d(std::cos(angle), std::sin(angle)) * u;
   moments.spread_v = Vec2d(-std::sin(angle), std::cos(angle)) * v;
+}
+
+/// Integral of |p|^4 over the triangle (0, a, b), of signed area. Along its edge |p|^4 is the
+/// square of p + q t + r t^2, and of the triangle's area it has a third of its mean.
+inline double fourth_of_triangle(Vec2d a, Vec2d b) {
+  const Vec2d edge = b - a;
+  const double p = a.x * a.x + a.y * a.y, q = 2 * (a.x * edge.x + a.y * edge.y),
+               r = edge.x * edge.x + edge.y * edge.y;
+  const double area = 0.5 * (a.x * b.y - a.y * b.x);
+  return area / 3 * (p * p + p * q + (q * q + 2 * p * r) / 3 + q * r / 2 + r * r / 5);
 }
 
 } // namespace detail
@@ -62,6 +73,11 @@ PolygonMoments polygon_moments(const std::vector<Vec2d>& points, const StartsRin
   y /= m.area;
   m.centroid = origin + Vec2d(x, y);
   detail::set_spread(m, xx / m.area - x * x, xy / m.area - x * y, yy / m.area - y * y);
+  double fourth = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (!starts_ring(i))
+      fourth += detail::fourth_of_triangle(points[i - 1] - m.centroid, points[i] - m.centroid);
+  m.fourth = std::max(fourth / m.area, 0.0);
   return m;
 }
 

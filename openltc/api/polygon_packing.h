@@ -32,13 +32,15 @@ struct PackedPolygon {
   std::vector<float> triangle_cdf; ///< running share of the area, last element 1
   PolygonView view;                ///< points into the vectors above; moves with them
   float area = 0;                  ///< square metres
+  double fourth_moment = 0;        ///< metres^4, see PolygonMoments::fourth
 
   PackedPolygon() = default;
   PackedPolygon(PackedPolygon&&) = default;
   PackedPolygon& operator=(PackedPolygon&&) = default;
   PackedPolygon(const PackedPolygon& other)
       : points(other.points), in_plane(other.in_plane), triangles(other.triangles),
-        triangle_cdf(other.triangle_cdf), view(other.view), area(other.area) {
+        triangle_cdf(other.triangle_cdf), view(other.view), area(other.area),
+        fourth_moment(other.fourth_moment) {
     point_view();
   }
   PackedPolygon& operator=(const PackedPolygon& other) {
@@ -242,6 +244,7 @@ inline PackedPolygon pack_polygon(const std::vector<Vec3f>& vertices,
   detail::store3(packed.view.spread_u, world(moments.spread_u));
   detail::store3(packed.view.spread_v, world(moments.spread_v));
   packed.view.radius = float(radius);
+  packed.fourth_moment = moments.fourth;
   detail::store3(packed.view.origin, origin);
   detail::store3(packed.view.axis_u, u);
   detail::store3(packed.view.axis_v, v);

@@ -184,6 +184,10 @@ f64::Vec3 far_reflected(const f64::Surface& s, const render::FarLight& far, bool
 double largest(f64::Vec3 v) { return std::max({v.x, v.y, v.z}); }
 double largest_size(f64::Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+render::TreeLight tree_light_of(const light::PolygonLight& light) {
+  return render::tree_light(light, light::pack_polygon(light));
+}
+
 render::BatchBounds measured(const std::vector<render::SurfacePoint>& points) {
   render::PointBuffer buffer(64);
   for (const render::SurfacePoint& p : points)
@@ -242,7 +246,7 @@ TEST_CASE(
       if (one_sided) light.two_sided = false;
       lights.push_back(light);
       packed.push_back(light::pack_polygon(light));
-      tree_lights.push_back(render::tree_light(light));
+      tree_lights.push_back(render::tree_light(light, packed.back()));
     }
     const render::TreeLight group = render::united(tree_lights);
     const render::LightBound bound =
@@ -352,8 +356,7 @@ TEST_CASE("a light behind all points, or facing away from them, adds nothing for
     points[i].f0 = Vec3f(0.04f);
   }
   const auto bound_of = [&](Vec3f center, Vec3f right, Vec3f up) {
-    const render::TreeLight light =
-        render::tree_light(light::rectangle(center, right, up, Vec3f(100)));
+    const render::TreeLight light = tree_light_of(light::rectangle(center, right, up, Vec3f(100)));
     const render::BatchBounds bounds = measured(points);
     return render::bound_light(render::PreparedBatch(bounds), light.extent, light.far_error).all;
   };

@@ -8,7 +8,6 @@
 #include "openltc/light/curved.h"
 #include "openltc/light/ellipse.h"
 #include "openltc/light/line.h"
-#include "openltc/light/polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +46,7 @@ void face_along(LightExtent& extent, Vec3f normal, bool two_sided) {
   }
 }
 
-LightExtent extent_of(const light::PolygonLight& light) {
+LightExtent extent_of(const light::PolygonLight& light, const light::PackedPolygon& packed) {
   LightExtent extent;
   if (light.vertices.empty()) return extent;
   extent.lower = extent.upper = light.vertices.front();
@@ -57,7 +56,7 @@ LightExtent extent_of(const light::PolygonLight& light) {
   }
   face_along(extent, light.normal, light.two_sided);
   extent.cosine_power = light.cosine_power;
-  emit(extent, light.radiance, light::area(light));
+  emit(extent, light.radiance, double(packed.area));
   return extent;
 }
 
@@ -139,52 +138,28 @@ Symmetric operator*(Symmetric a, double scale) {
   return a;
 }
 
-void set_far(const light::PolygonLight& light, FarLight& far, FarError& error) {
-  if (light.two_sided || light.cosine_power > 0 || light.texture >= 0 || light.vertices.empty())
-    return;
-  const Vec3d normal = to_double(light.normal), origin = to_double(light.vertices.front());
-  // Signed triangles of a fan around a point, ring by ring.
-  const auto over_triangles = [&](Vec3d apex, const auto& visit) {
-    for (std::size_t r = 0; r < light.ring_end.size(); ++r) {
-      const auto ring = light::ring_vertices(light, r);
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec3d a = to_double(ring[i]) - apex,
-                    b = to_double(ring[(i + 1) % ring.size()]) - apex;
-        visit(a, b, 0.5 * dot(cross(a, b), normal));
-      }
-    }
-  };
-  double area = 0;
-  Vec3d center(0.0);
-  over_triangles(origin, [&](Vec3d a, Vec3d b, double triangle) {
-    area += triangle;
-    center += (a + b) * (triangle / 3);
-  });
-  if (!(area > 0)) return;
-  center = origin + center / area;
-  far.center = to_float(center);
-  center = to_double(far.center);
-  Symmetric second;
-  double fourth = 0;
-  over_triangles(center, [&](Vec3d a, Vec3d b, double triangle) {
-    for (const Vec3d& v : {a, b, a + b})
-      second += Symmetric(v) * (triangle / 12);
-    // |p|^4 along the edge is the square of p + q t + r t^2; a triangle has a third of its mean.
-    const Vec3d edge = b - a;
-    const double p = dot(a, a), q = 2 * dot(a, edge), r = dot(edge, edge);
-    fourth += triangle / 3 * (p * p + p * q + (q * q + 2 * p * r) / 3 + q * r / 2 + r * r / 5);
-  });
+void set_far(const light::PolygonLight& light, const light::PackedPolygon& packed, FarLight& far,
+             FarError& error) {
+  if (light.two_sided || light.cosine_power > 0 || light.texture >= 0 || !(packed.area > 0)) return;
+  const auto vector = [](const float(&v)[3]) { return Vec3f(v[0], v[1], v[2]); };
+  const PolygonView& view = packed.view;
+  far.center = vector(view.centroid);
+  // Along the principal axes spread_u and spread_v the area has half of their squares.
+  const Symmetric covariance =
+      (Symmetric(to_double(vector(view.spread_u))) + Symmetric(to_double(vector(view.spread_v)))) *
+      0.5;
+  covariance.store(1, far.covariance);
   error.valid = true;
   const float radiance[3] = {light.radiance.x, light.radiance.y, light.radiance.z};
   const double power = double(radiance[0]) + double(radiance[1]) + double(radiance[2]);
   for (int c = 0; c < 3; ++c)
-    far.moment[c] = light.normal * (radiance[c] * float(area));
+    far.moment[c] = light.normal * (radiance[c] * packed.area);
   if (power > 0) far.channel = light.radiance * float(1 / power);
-  second.store(1 / area, far.covariance);
-  const double second_trace = std::max(second.trace(), 0.0);
-  error.second = light.radiance * float(second_trace);
+  const Vec3f flux = light.radiance * packed.area;
+  const double second = covariance.trace();
+  error.second = flux * float(second);
   // Cauchy and Schwarz: the mean of |p|^3 is no more than the root of those of |p|^2 and |p|^4.
-  error.third = light.radiance * float(std::sqrt(second_trace * std::max(fourth, 0.0)));
+  error.third = flux * float(std::sqrt(second * packed.fourth_moment));
 }
 
 LightExtent united(const LightExtent& a, const LightExtent& b) {
@@ -198,10 +173,6 @@ LightExtent united(const LightExtent& a, const LightExtent& b) {
   u.area = std::min(a.area + b.area, k_unbounded);
   u.cosine_power = std::min(a.cosine_power, b.cosine_power);
   return u;
-}
-
-double power_of(const FarLight& far) {
-  return double(length(far.moment[0]) + length(far.moment[1]) + length(far.moment[2]));
 }
 
 /// The far form of single lights, of which the first moments vanish about their own centres.
@@ -290,9 +261,13 @@ void unite_far(std::span<const TreeLight> lights, FarLight& u, FarError& error) 
 
 } // namespace
 
-TreeLight tree_light(const light::PolygonLight& light) {
-  TreeLight tree_light{extent_of(light), {}, {}};
-  set_far(light, tree_light.far, tree_light.far_error);
+double power_of(const FarLight& far) {
+  return double(length(far.moment[0]) + length(far.moment[1]) + length(far.moment[2]));
+}
+
+TreeLight tree_light(const light::PolygonLight& light, const light::PackedPolygon& packed) {
+  TreeLight tree_light{extent_of(light, packed), {}, {}};
+  set_far(light, packed, tree_light.far, tree_light.far_error);
   return tree_light;
 }
 TreeLight tree_light(const light::EllipseLight& light) { return {extent_of(light), {}, {}}; }

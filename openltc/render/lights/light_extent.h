@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/light/light.h"
+#include "openltc/light/packed_polygon.h"
 
 #include <span>
 
@@ -35,6 +36,9 @@ struct FarLight {
   float covariance[6] = {0, 0, 0, 0, 0, 0};
 };
 
+/// Sizes of the moments of all channels together, nits m2.
+double power_of(const FarLight& far);
+
 /// What a far form errs by is bounded with, each for r, g and b.
 struct FarError {
   Vec3f first{0, 0, 0};        ///< Frobenius norm of the first moments, nits m3
@@ -58,7 +62,8 @@ struct TreeLight {
 };
 
 /// A light as bounds see it.
-TreeLight tree_light(const light::PolygonLight& light);
+/// `packed` is of the same light, whose numbers it has.
+TreeLight tree_light(const light::PolygonLight& light, const light::PackedPolygon& packed);
 TreeLight tree_light(const light::EllipseLight& light);
 TreeLight tree_light(const light::SphereLight& light);
 TreeLight tree_light(const light::TubeLight& light);

@@ -134,7 +134,11 @@ LightSet pack_lights(const light::Lights& lights) {
     pack(light, view, set);
     pack_emission(light, lights, side, view, set);
     set.area_lights.push_back(view);
-    TreeLight in_tree = tree_light(light);
+    TreeLight in_tree;
+    if constexpr (std::is_same_v<std::decay_t<decltype(light)>, light::PolygonLight>)
+      in_tree = tree_light(light, set.packed.back());
+    else
+      in_tree = tree_light(light);
     if (view.emission.texels)
       in_tree =
           textured(in_tree, largest.of(lights.textures, light.texture), set.emissions.back().mean);

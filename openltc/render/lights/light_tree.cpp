@@ -38,10 +38,6 @@ std::array<float, 6> features(const LightExtent& e, float direction_scale) {
   return {p.x, p.y, p.z, n.x, n.y, n.z};
 }
 
-double power_of(const FarLight& far) {
-  return double(length(far.moment[0]) + length(far.moment[1]) + length(far.moment[2]));
-}
-
 /// What a light counts when one is drawn. A group's is the sum of its lights'.
 float sampling_power(const LightExtent& extent) {
   return std::min(extent.intensity.x + extent.intensity.y + extent.intensity.z, k_unbounded);
