@@ -8,6 +8,7 @@
 // own sine and cosine. So they agree to a few units in the last place, magnified by how sensitive
 // the function is to its inputs.
 
+#include "openltc/base/processor.h"
 #include "openltc/light/emission_stack.h"
 #include "openltc/table/lobe_polynomial.h"
 #include "openltc/table/lobe_table.h"
@@ -336,7 +337,7 @@ TEST_CASE("lanes of the baseline instruction set agree with float") {
 
 #ifdef OPENLTC_PARITY_SSE4
 TEST_CASE("lanes of SSE4 agree with float") {
-  if (!__builtin_cpu_supports("sse4.2") || !__builtin_cpu_supports("aes")) {
+  if (!has_sse4()) {
     MESSAGE("skipped: this CPU has no SSE4");
     return;
   }
@@ -347,7 +348,7 @@ TEST_CASE("lanes of SSE4 agree with float") {
 
 #ifdef OPENLTC_PARITY_AVX2
 TEST_CASE("lanes of AVX2 agree with float") {
-  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
+  if (!has_avx2()) {
     MESSAGE("skipped: this CPU has no AVX2");
     return;
   }
@@ -358,8 +359,7 @@ TEST_CASE("lanes of AVX2 agree with float") {
 
 #ifdef OPENLTC_PARITY_AVX512
 TEST_CASE("lanes of AVX-512 agree with float") {
-  if (!__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512bw") ||
-      !__builtin_cpu_supports("avx512dq") || !__builtin_cpu_supports("avx512vl")) {
+  if (!has_avx512()) {
     MESSAGE("skipped: this CPU has no AVX-512");
     return;
   }
