@@ -239,15 +239,15 @@ const std::map<std::string, Beyond>& exceptions() {
       {"mirror_from_lobe", {k_count, 1600 * 0x1p-24}},
       // The ray goes to the centre, 1.7 away however it is disturbed; where it grazes the plane,
       // rounding is divided by the cosine, 1e-4 for the smallest of 20,480.
+      {"intersect_ellipse_by_area", {200, 17 * 0x1p-24 / 1e-4}},
       {"intersect_ellipse", {200, 17 * 0x1p-24 / 1e-4}},
-      {"intersect_seen_ellipse", {200, 17 * 0x1p-24 / 1e-4}},
       // To the middle of a tube likewise, whose side is met at an angle.
+      {"intersect_tube_by_area", {100, 1e-5}},
       {"intersect_tube", {100, 1e-5}},
-      {"intersect_seen_tube", {100, 1e-5}},
       // Where a direction lies on the outline, the place goes by the square root of rounding, or,
       // on
       // an end seen edge on, by rounding over the cosine at which it is seen.
-      {"sample_seen_tube", {1000, 5e-2}},
+      {"sample_tube", {1000, 5e-2}},
       // One edge by itself may pass right by the pole of its plane, where its angle turns at once;
       // the sum of an outline does not.
       {"clipped_edge_term", {100, 1e-3}},
