@@ -30,64 +30,49 @@ struct LightSample {
 
 namespace detail {
 
-// What the lights' shapes have of their own: whether a surface has a side of them, the point that
-// two random numbers are, and where a ray meets them.
+// What the lights' shapes have of their own: the point that two random numbers are, and where a ray
+// meets them.
 
 inline bool is_usable(const Polygon& light) { return light.usable(); }
 
-inline bool has_side_of(const f32::Surface& s, const Polygon& light) {
-  return f32::has_side(s, f32::polygon_origin(light.view()), light.normal());
-}
-inline bool has_side_of(const f32::Surface& s, const Ellipse& light) {
-  return f32::has_side(s, light.center, normalize(cross(light.half_u, light.half_v)));
-}
-template <class Solid> inline bool has_side_of(const f32::Surface&, const Solid&) { return true; }
-
 inline f32::LightPoint draw_point(const f32::Surface& s, const Polygon& light, Vec2f u) {
-  const f32::SeenPolygon seen = f32::polygon_seen(light.view(), s.position);
-  return f32::sample_seen_polygon(light.view(), seen, s.position, u);
+  const f32::SeenPolygon seen = f32::polygon_seen(light.view(), s.position, s.position_error2);
+  return f32::sample_polygon(light.view(), seen, s.position, u);
 }
 inline f32::LightPoint draw_point(const f32::Surface& s, const Ellipse& light, Vec2f u) {
   const f32::Ellipse ellipse = dialect_of(light);
-  return f32::sample_seen_ellipse(ellipse, f32::ellipse_seen(ellipse, s.position), s.position, u);
+  return f32::sample_ellipse(ellipse, f32::ellipse_seen(ellipse, s.position, s.position_error2),
+                             s.position, u);
 }
 inline f32::LightPoint draw_point(const f32::Surface& s, const Sphere& light, Vec2f u) {
-  return f32::sample_sphere(dialect_of(light), s.position, u);
+  const f32::Sphere sphere = dialect_of(light);
+  return f32::sample_sphere(sphere, f32::sphere_seen(sphere, s.position), u);
 }
 inline f32::LightPoint draw_point(const f32::Surface& s, const Tube& light, Vec2f u) {
   const f32::Tube tube = dialect_of(light);
-  return f32::sample_seen_tube(tube, f32::tube_seen(tube, s.position), s.position, u);
+  return f32::sample_tube(tube, f32::tube_seen(tube, s.position), s.position, u);
 }
 inline f32::LightPoint draw_point(const f32::Surface& s, const Line& light, Vec2f u) {
-  // The part above the horizon and in front of the triangle.
-  f32::Line line = dialect_of(light);
-  const bool below = f32::line_heights(line, s.position, s.frame.n).low < 0.0f;
-  const bool behind = s.tilted && f32::line_heights(line, s.position, s.geometric).low < 0.0f;
-  if (below || behind) {
-    f32::FrontSegment part =
-        f32::segment_in_front(line.from - s.position, line.to - s.position, s.frame.n);
-    if (behind) part = f32::segment_in_front(part.a, part.b, s.geometric);
-    line.from = s.position + part.a;
-    line.to = s.position + part.b;
-  }
+  const f32::Line line = f32::line_seen(s, dialect_of(light));
   return f32::sample_line(line, s.position, u.x);
 }
 
 inline f32::LightPoint meet_point(const f32::Surface& s, const Polygon& light, Vec3f direction) {
-  const f32::SeenPolygon seen = f32::polygon_seen(light.view(), s.position);
-  return f32::intersect_seen_polygon(light.view(), seen, s.position, direction);
+  const f32::SeenPolygon seen = f32::polygon_seen(light.view(), s.position, s.position_error2);
+  return f32::intersect_polygon(light.view(), seen, s.position, direction);
 }
 inline f32::LightPoint meet_point(const f32::Surface& s, const Ellipse& light, Vec3f direction) {
   const f32::Ellipse ellipse = dialect_of(light);
-  return f32::intersect_seen_ellipse(ellipse, f32::ellipse_seen(ellipse, s.position), s.position,
-                                     direction);
+  return f32::intersect_ellipse(ellipse, f32::ellipse_seen(ellipse, s.position, s.position_error2),
+                                s.position, direction);
 }
 inline f32::LightPoint meet_point(const f32::Surface& s, const Sphere& light, Vec3f direction) {
-  return f32::intersect_sphere(dialect_of(light), s.position, direction);
+  const f32::Sphere sphere = dialect_of(light);
+  return f32::intersect_sphere(sphere, f32::sphere_seen(sphere, s.position), direction);
 }
 inline f32::LightPoint meet_point(const f32::Surface& s, const Tube& light, Vec3f direction) {
   const f32::Tube tube = dialect_of(light);
-  return f32::intersect_seen_tube(tube, f32::tube_seen(tube, s.position), s.position, direction);
+  return f32::intersect_tube(tube, f32::tube_seen(tube, s.position), s.position, direction);
 }
 
 inline LightSample sample_of(const f32::Surface& s, const f32::LightPoint& point) {
@@ -120,7 +105,6 @@ template <class AreaLight>
 inline LightSample sample_light(const Surface& surface, const AreaLight& light, Vec2f u) {
   if (!surface.usable || !detail::is_usable(light)) return {};
   const f32::Surface& s = surface.point;
-  if (!detail::has_side_of(s, light)) return {};
   return detail::sample_of(s, detail::draw_point(s, light, detail::unit_random(u)));
 }
 
@@ -133,7 +117,6 @@ inline LightSample intersect_light(const Surface& surface, const AreaLight& ligh
   const Vec3f wi = detail::unit_or(direction, Vec3f(0.0f));
   if (!surface.usable || !detail::is_usable(light) || !(dot(wi, wi) > 0.5f)) return {};
   const f32::Surface& s = surface.point;
-  if (!detail::has_side_of(s, light)) return {};
   return detail::sample_of(s, detail::meet_point(s, light, wi));
 }
 

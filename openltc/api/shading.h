@@ -25,8 +25,7 @@ struct ShadedParts {
 
 namespace detail {
 
-inline ShadedParts parts_of(const f32::ShadedLight& shaded, bool has_side = true) {
-  if (!has_side) return {};
+inline ShadedParts parts_of(const f32::ShadedLight& shaded) {
   return {finite_light(shaded.diffuse), finite_light(shaded.specular)};
 }
 
@@ -39,43 +38,31 @@ inline ShadedParts parts_of(const f32::ShadedLight& shaded, bool has_side = true
 /// Of a polygon: nothing behind a one-sided one, or in the plane of any.
 inline ShadedParts shade_parts(const Surface& surface, const Polygon& light) {
   if (!surface.usable || !light.usable()) return {};
-  const f32::Surface& s = surface.point;
-  const PolygonView& view = light.view();
-  return detail::parts_of(f32::shade_integral(s, f32::surface_polygon_integral(s, view)),
-                          f32::has_side(s, f32::polygon_origin(view), f32::polygon_normal(view)));
+  return detail::parts_of(f32::shade_polygon_parts(surface.point, light.view()));
 }
 
 /// Of an ellipse: nothing behind a one-sided one, or in the plane of any.
 inline ShadedParts shade_parts(const Surface& surface, const Ellipse& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
-  const f32::Surface& s = surface.point;
-  return detail::parts_of(
-      f32::shade_integral(s, f32::surface_ellipse_integral(s, detail::dialect_of(light))),
-      f32::has_side(s, light.center, normalize(cross(light.half_u, light.half_v))));
+  return detail::parts_of(f32::shade_ellipse_parts(surface.point, detail::dialect_of(light)));
 }
 
 /// Of a sphere: nothing inside of it.
 inline ShadedParts shade_parts(const Surface& surface, const Sphere& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
-  const f32::Surface& s = surface.point;
-  return detail::parts_of(
-      f32::shade_integral(s, f32::surface_sphere_integral(s, detail::dialect_of(light))));
+  return detail::parts_of(f32::shade_sphere_parts(surface.point, detail::dialect_of(light)));
 }
 
 /// Of a tube: nothing inside of it.
 inline ShadedParts shade_parts(const Surface& surface, const Tube& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
-  const f32::Surface& s = surface.point;
-  return detail::parts_of(
-      f32::shade_integral(s, f32::surface_tube_integral(s, detail::dialect_of(light))));
+  return detail::parts_of(f32::shade_tube_parts(surface.point, detail::dialect_of(light)));
 }
 
 /// Of a line, for 1 cd/m.
 inline ShadedParts shade_parts(const Surface& surface, const Line& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
-  const f32::Surface& s = surface.point;
-  return detail::parts_of(
-      f32::shade_line_integral(s, f32::surface_line_integral(s, detail::dialect_of(light))));
+  return detail::parts_of(f32::shade_line_parts(surface.point, detail::dialect_of(light)));
 }
 
 /// Reflected radiance: of a Polygon, Ellipse, Sphere or Tube with that radiance, nits as a rule,

@@ -3,19 +3,21 @@
 
 #include "openltc/fit/lobe_sums.h"
 
+#include "openltc/base/processor.h"
+
 namespace openltc::fit {
 
 LobeSums lobe_sums_baseline();
-#ifdef OPENLTC_X86
+#ifdef OPENLTC_LOBE_SUMS_AVX2
 LobeSums lobe_sums_avx2();
 LobeSums lobe_sums_avx512();
 #endif
 
 std::vector<LobeSums> all_lobe_sums() {
   std::vector<LobeSums> variants = {lobe_sums_baseline()};
-#ifdef OPENLTC_X86
-  if (__builtin_cpu_supports("avx2")) variants.push_back(lobe_sums_avx2());
-  if (__builtin_cpu_supports("avx512f")) variants.push_back(lobe_sums_avx512());
+#ifdef OPENLTC_LOBE_SUMS_AVX2
+  if (has_avx2()) variants.push_back(lobe_sums_avx2());
+  if (has_avx512()) variants.push_back(lobe_sums_avx512());
 #endif
   return variants;
 }

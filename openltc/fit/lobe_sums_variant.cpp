@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// One variant of lobe_sums; OPENLTC_VARIANT names it, OPENLTC_WIDTH says how many doubles its
-// registers hold, and the build sets the instruction set.
+// One variant of lobe_sums, compiled once per instruction set: OPENLTC_ISA is its name,
+// OPENLTC_LANES how many floats its registers hold, which is twice as many doubles.
 //
 // With o = (m0 x + m1 z, y, m2 x + m3 z), q = 1/|o|^2 and d = det s / pi (lobe_fit.cpp):
 //   D = o.z d q^2,
@@ -14,12 +14,15 @@
 
 #include <cstring>
 
+#define OPENLTC_PASTE_(a, b) a##b
+#define OPENLTC_PASTE(a, b) OPENLTC_PASTE_(a, b)
+
 namespace openltc::fit {
 
 namespace {
 
 // Lanes of this variant's registers, a divisor of the eight lanes that every sum is kept in.
-constexpr int k_width = OPENLTC_WIDTH;
+constexpr int k_width = OPENLTC_LANES / 2;
 constexpr int k_lanes = 8;
 typedef double Block __attribute__((vector_size(k_width * sizeof(double))));
 
@@ -133,6 +136,6 @@ void derivatives(const LobeSumsInput& in, LobeDerivatives& out) {
 
 } // namespace
 
-LobeSums OPENLTC_VARIANT() { return {distances, derivatives}; }
+LobeSums OPENLTC_PASTE(lobe_sums_, OPENLTC_ISA)() { return {distances, derivatives}; }
 
 } // namespace openltc::fit

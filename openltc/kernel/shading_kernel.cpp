@@ -3,6 +3,7 @@
 
 #include "openltc/kernel/shading_kernel.h"
 
+#include "openltc/base/processor.h"
 #include "openltc/kernel/shading_kernel_variants.h"
 
 #include <string_view>
@@ -13,19 +14,9 @@ Kernel kernel_by_name(const char* name) {
   const std::string_view wanted(name);
   const bool any = wanted == "auto";
 #if defined(__x86_64__)
-  // Each set includes what the build asks of the compiler for it; see CMakeLists.txt.
-  const bool has_sse4 = __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("aes") &&
-                        __builtin_cpu_supports("pclmul");
-  const bool has_avx2 = has_sse4 && __builtin_cpu_supports("avx2") &&
-                        __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
-                        __builtin_cpu_supports("bmi2");
-  const bool has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f") &&
-                          __builtin_cpu_supports("avx512bw") &&
-                          __builtin_cpu_supports("avx512cd") &&
-                          __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  if ((any || wanted == "avx512") && has_avx512) return avx512::kernel();
-  if ((any || wanted == "avx2") && has_avx2) return avx2::kernel();
-  if ((any || wanted == "sse4") && has_sse4) return sse4::kernel();
+  if ((any || wanted == "avx512") && has_avx512()) return avx512::kernel();
+  if ((any || wanted == "avx2") && has_avx2()) return avx2::kernel();
+  if ((any || wanted == "sse4") && has_sse4()) return sse4::kernel();
 #elif defined(__aarch64__)
   if (any || wanted == "neon") return neon::kernel();
 #endif

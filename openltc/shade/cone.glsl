@@ -32,13 +32,6 @@ struct Cone {
   Real c2;
 };
 
-/// A unit vector perpendicular to the unit vector n (Duff et al. 2017, see frame.glsl).
-FN Vec3 any_perpendicular(Vec3 n) {
-  Real s = select(n.z < Real(0.0), Real(-1.0), Real(1.0));
-  Real a = Real(-1.0) / (s + n.z);
-  return Vec3(Real(1.0) + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
-}
-
 /// A symmetric matrix in a basis of its own, on the way to being diagonal.
 struct Diagonalisation {
   Real s11, s22, s33, s12, s13, s23;
@@ -184,6 +177,10 @@ FN_CALL Cone make_cone(Vec3 center, Vec3 a, Vec3 b) {
   return cone;
 }
 
+/// More than the extent of an arc that a plane cuts, 9e-5 below 2 pi: a full turn, whose start means
+/// nothing, whatever rounding makes of it.
+CONSTANT k_full_turn = 6.2831;
+
 /// An interval of the outline's parameter: counter-clockwise from `start`.
 struct Arc {
   Real start;  // -pi..pi
@@ -278,9 +275,10 @@ FN_CALL Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
   Arc surface = arc_above(cone, up);
   Arc cosine = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
   Real turn = Real(2.0) * k_pi;
-  Real almost = Real(6.2831); // a full turn, whose start means nothing
-  Real x1 = select(surface.extent > almost, Real(0.0), wrapped_turn(surface.start - part.start));
-  Real x2 = select(cosine.extent > almost, Real(0.0), wrapped_turn(cosine.start - part.start));
+  Real x1 = select(surface.extent > Real(k_full_turn), Real(0.0),
+                   wrapped_turn(surface.start - part.start));
+  Real x2 =
+      select(cosine.extent > Real(k_full_turn), Real(0.0), wrapped_turn(cosine.start - part.start));
   Vec3 sum = Vec3(Real(0.0), Real(0.0), Real(0.0));
   Vec3 ends = sum;
   // Intervals on a circle meet themselves again after a turn.
@@ -332,7 +330,7 @@ FN_CALL Vec3 clipped_cone(Cone cone, Vec3 up) {
   Arc surface = arc_above(cone, up);
   Arc cosine = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
   Arc part;
-  part.start = select(surface.extent > Real(6.2831), cosine.start, surface.start);
+  part.start = select(surface.extent > Real(k_full_turn), cosine.start, surface.start);
   part.extent = Real(2.0) * k_pi;
   Real s = select(cone.e3.y < Real(0.0), Real(-1.0), Real(1.0));
   return select(whole, all, clipped_arc_term(cone, part, up, s));

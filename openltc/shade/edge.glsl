@@ -95,16 +95,22 @@ FN Vec3 apex_term(Vec3 p, Real inv_p, Real s) {
   return Vec3(-weight * u.z, Real(0.0), weight * u.x);
 }
 
+/// Where an edge crosses a plane, in units of the edge; a, b: heights of its ends, of which one is below
+/// and the other not. The division is of their sizes, so that it stays within 0..1 whatever rounding
+/// does.
+FN Real crossing_place(Real a, Real b) {
+  return abs(a) * reciprocal(max(abs(a) + abs(b), Real(k_tiny)));
+}
+
 /// The part of an edge above a plane, in units of the edge; whole where both ends are above.
 struct Span {
   Real t0;
   Real t1;
 };
 
-/// a, b: heights of the ends, of which one at least is not below. The division is of their sizes, so
-/// that t stays within 0..1 whatever rounding does.
+/// a, b: heights of the ends, of which one at least is not below.
 FN Span span_above(Real a, Real b) {
-  Real t = abs(a) * reciprocal(max(abs(a) + abs(b), Real(k_tiny)));
+  Real t = crossing_place(a, b);
   Span span;
   span.t0 = select(a < Real(0.0), t, Real(0.0));
   span.t1 = select(b < Real(0.0), t, Real(1.0));
@@ -161,7 +167,7 @@ FN EdgeAbove edge_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
   Mask a_up = a.z >= Real(0.0);
   Mask b_up = b.z >= Real(0.0);
   Vec3 d = b - a;
-  Real t = abs(a.z) * reciprocal(max(abs(a.z) + abs(b.z), Real(k_tiny)));
+  Real t = crossing_place(a.z, b.z);
   Vec3 q = Vec3(a.x + d.x * t, a.y + d.y * t, Real(0.0));
   Real inv_q = inverse_length(q);
   Real extent = select(a_up, select(b_up, Real(1.0), t), Real(1.0) - t);
@@ -243,73 +249,4 @@ FN Vec3 closed_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
   Vec3 sum = edge_term_scaled(edge.p0, edge.p1, (b_o - a_o) * edge.extent, inv_p0, inv_p1) +
              apex_term(edge.p1, inv_p1, s) - apex_term(edge.p0, inv_p0, s);
   return select(edge.outside, Vec3(Real(0.0), Real(0.0), Real(0.0)), sum);
-}
-
-/// Whether a point lies in a light's plane as far as can be told: h, its distance, is no more than
-/// that to which the point is known, whose square is `error2`, or than what rounding makes of 0. Such a
-/// point has no side, and gets no light. `to_origin` leads from the point to any point of the plane.
-FN Mask lies_in_plane(Real h, Vec3 to_origin, Real error2) {
-  return h * h <=
-         max(error2, Real(k_plane_rounding * k_plane_rounding) * dot(to_origin, to_origin));
-}
-
-/// What shading wants to know of a light of radiance 1, whatever its shape, without shadow.
-///
-/// Both integrals are z components of vector irradiances, in shading space and in cosine space. The
-/// vectors' directions are the mean directions of the part of the light that counts; of the
-/// specular one, carried back by M, shading takes the Fresnel reflectance.
-struct LightIntegral {
-  Real diffuse;            // integral of cos/pi over the light, 0..1
-  Real specular;           // integral of the lobe's density, both horizons respected, 0..1
-  Vec3 diffuse_direction;  // shading space, unit
-  Vec3 specular_direction; // shading space, unit
-};
-
-/// From the vector irradiances times 2 pi.
-FN LightIntegral light_integral(Vec3 diffuse, Vec3 specular, Lobe lobe) {
-  LightIntegral result;
-  result.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
-  result.specular = min(max(specular.z * k_half_inv_pi, Real(0.0)), Real(1.0));
-  result.diffuse_direction = safe_direction(diffuse);
-  result.specular_direction = safe_direction(from_cosine(lobe, specular));
-  return result;
-}
-
-/// A point of a light seen from a shaded point, met by a ray or drawn at random.
-struct LightPoint {
-  Mask hit;         // whether light comes from there: in front, on the emitting side
-  Vec3 direction;   // to the point, unit, world space
-  Real distance;    // metres
-  Real cos_light;   // cosine at the light, 0..1
-  Real solid_angle; // 1 / the density per solid angle with which the light's sampling draws it
-};
-
-FN LightPoint select_point(Mask m, LightPoint a, LightPoint b) {
-  LightPoint point;
-  point.hit = (m && a.hit) || (!m && b.hit);
-  point.direction = select(m, a.direction, b.direction);
-  point.distance = select(m, a.distance, b.distance);
-  point.cos_light = select(m, a.cos_light, b.cos_light);
-  point.solid_angle = select(m, a.solid_angle, b.solid_angle);
-  return point;
-}
-
-/// Solid angle of an area, turned by the cosine, at a distance: 1 / density per solid angle of
-/// points that are evenly distributed over it.
-FN Real solid_angle_of_area(Real area, Real cos_light, Real distance2) {
-  return area * cos_light / max(distance2, Real(k_tiny));
-}
-
-/// A point of a planar light of that area, `offset` from the shaded point.
-FN LightPoint area_light_point(Vec3 offset, Vec3 normal, Real area, Real two_sided, Mask in_plane) {
-  Real distance2 = max(dot(offset, offset), Real(k_tiny));
-  Real inv_distance = inversesqrt(distance2);
-  LightPoint result;
-  result.direction = offset * inv_distance;
-  Real facing = -dot(result.direction, normal);
-  result.cos_light = select(two_sided > Real(0.0), abs(facing), facing);
-  result.hit = result.cos_light > Real(1.0e-6) && !in_plane;
-  result.distance = distance2 * inv_distance;
-  result.solid_angle = solid_angle_of_area(area, result.cos_light, distance2);
-  return result;
 }

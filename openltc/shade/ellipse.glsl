@@ -12,6 +12,9 @@ struct Ellipse {
   Real two_sided; // 0 or 1
 };
 
+/// Unit, to the emitting side.
+FN Vec3 ellipse_normal(Ellipse ellipse) { return normalize(cross(ellipse.half_u, ellipse.half_v)); }
+
 /// 2 pi times the vector irradiances of the cone of directions to a flat ellipse, all in shading
 /// space; where `cut`, of its part in front of the plane with unit normal `front`.
 struct ConeSums {
@@ -71,16 +74,41 @@ FN Heights ellipse_heights(Ellipse ellipse, Vec3 position, Vec3 normal) {
   return heights;
 }
 
+/// The integral over an ellipse as a surface sees it; see surface_polygon_integral.
+FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
+  Heights heights = no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = ellipse_heights(ellipse, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
+  LightIntegral integral =
+      integrate_ellipse_part(ellipse, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
+  if (cut) {
+    integral = unless_hidden(s, heights, integral);
+  }
+  return unless_in_plane(s, ellipse.center, ellipse_normal(ellipse), integral);
+}
+
+/// Light that a surface reflects of an ellipse of radiance 1, without shadow.
+FN ShadedLight shade_ellipse_parts(Surface s, Ellipse ellipse) {
+  return shade_integral(s, surface_ellipse_integral(s, ellipse));
+}
+
+FN Vec3 shade_ellipse(Surface s, Ellipse ellipse) {
+  return both_parts(shade_ellipse_parts(s, ellipse));
+}
+
 /// Where a ray from `position` along the unit `direction` meets the ellipse. The density is that of
-/// sample_ellipse.
-FN LightPoint intersect_ellipse(Ellipse ellipse, Vec3 position, Vec3 direction) {
+/// sample_ellipse_by_area.
+FN LightPoint intersect_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec3 direction) {
   Vec3 normal = cross(ellipse.half_u, ellipse.half_v);
   Real area = sqrt(dot(normal, normal)) * k_pi;
   normal = normal * (k_pi / max(area, Real(k_tiny)));
   Vec3 to_center = ellipse.center - position;
   Real h = dot(to_center, normal);
   Real slope = dot(direction, normal);
-  Real t = h / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
+  Real t = h / never_zero(slope);
   Vec3 on_plane = direction * t - to_center;
   Real x = dot(on_plane, ellipse.half_u) / max(dot(ellipse.half_u, ellipse.half_u), Real(k_tiny));
   Real y = dot(on_plane, ellipse.half_v) / max(dot(ellipse.half_v, ellipse.half_v), Real(k_tiny));
@@ -92,7 +120,7 @@ FN LightPoint intersect_ellipse(Ellipse ellipse, Vec3 position, Vec3 direction) 
 }
 
 /// A point evenly distributed over the ellipse, from two numbers in [0, 1).
-FN LightPoint sample_ellipse(Ellipse ellipse, Vec3 position, Vec2 u) {
+FN LightPoint sample_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec2 u) {
   Vec3 normal = cross(ellipse.half_u, ellipse.half_v);
   Real area = sqrt(dot(normal, normal)) * k_pi;
   normal = normal * (k_pi / max(area, Real(k_tiny)));
@@ -120,11 +148,15 @@ struct SeenEllipse {
   Real cot2_2;
   Real ratio;
   Mask known; // whether single precision can place directions in it
+  Mask sided; // whether the point has a side of it
 };
 
-FN SeenEllipse ellipse_seen(Ellipse ellipse, Vec3 position) {
+/// error2: square of the metres within which the position is known.
+FN SeenEllipse ellipse_seen(Ellipse ellipse, Vec3 position, Real error2) {
+  Vec3 to_center = ellipse.center - position;
   SeenEllipse seen;
-  seen.cone = make_cone(ellipse.center - position, ellipse.half_u, ellipse.half_v);
+  seen.sided = !lies_in_plane(dot(to_center, ellipse_normal(ellipse)), to_center, error2);
+  seen.cone = make_cone(to_center, ellipse.half_u, ellipse.half_v);
   Real cot_1 = seen.cone.c1 / max(seen.cone.k1, Real(k_tiny));
   Real cot_2 = seen.cone.c2 / max(seen.cone.k2, Real(1.0e-6));
   seen.cot2_1 = cot_1 * cot_1;
@@ -142,28 +174,29 @@ FN Real ellipse_reach(SeenEllipse seen, Real cos2, Real sin2) {
   return inv / (Real(1.0) + sqrt(cot2 * inv));
 }
 
-/// 1 over the density per solid angle of sample_seen_ellipse at that azimuth.
+/// 1 over the density per solid angle of sample_ellipse at that azimuth.
 FN Real ellipse_solid_angle(SeenEllipse seen, Real cos2, Real sin2, Real reach) {
   return Real(2.0) * k_pi * reach * (seen.ratio * cos2 + sin2 / max(seen.ratio, Real(k_tiny)));
 }
 
-/// Where a ray meets an ellipse that is `known`, with the density of sample_seen_ellipse.
-FN LightPoint intersect_seen_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 position,
-                                     Vec3 direction) {
-  LightPoint point = intersect_ellipse(ellipse, position, direction);
+/// Where a ray meets an ellipse that is `known`, with the density of sample_ellipse.
+FN LightPoint intersect_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 position, Vec3 direction) {
+  LightPoint point = intersect_ellipse_by_area(ellipse, position, direction);
   Real x = dot(direction, seen.cone.e1);
   Real y = dot(direction, seen.cone.e2);
   Real sin2 = y * y / max(x * x + y * y, Real(k_tiny));
   Real cos2 = Real(1.0) - sin2;
   Real solid_angle = ellipse_solid_angle(seen, cos2, sin2, ellipse_reach(seen, cos2, sin2));
+  point.hit = point.hit && seen.sided;
   point.solid_angle = select(seen.known, solid_angle, point.solid_angle);
   return point;
 }
 
 /// A point of the ellipse, from two numbers in [0, 1): by solid angle, or where that is not known
 /// over its area.
-FN LightPoint sample_seen_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 position, Vec2 u) {
-  LightPoint by_area = sample_ellipse(ellipse, position, u);
+FN LightPoint sample_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 position, Vec2 u) {
+  LightPoint by_area = sample_ellipse_by_area(ellipse, position, u);
+  by_area.hit = by_area.hit && seen.sided;
   // Uniform shortcut: no lane samples by solid angle.
   if (!any_lane(seen.known)) {
     return by_area;
@@ -187,10 +220,14 @@ FN LightPoint sample_seen_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 positi
   Real slope = dot(direction, normal);
   LightPoint by_angle;
   by_angle.direction = direction;
-  by_angle.distance = h / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
+  by_angle.distance = h / never_zero(slope);
   by_angle.cos_light = select(ellipse.two_sided > Real(0.0), abs(slope), -slope);
   by_angle.solid_angle = ellipse_solid_angle(seen, x * x, y * y, reach);
   by_angle.hit = by_angle.cos_light > Real(1.0e-6) && by_angle.distance > Real(0.0) &&
-                 !lies_in_plane(h, to_center, Real(0.0));
+                 !lies_in_plane(h, to_center, Real(0.0)) && seen.sided;
   return select_point(seen.known, by_angle, by_area);
+}
+
+FN Real pdf_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 position, Vec3 direction) {
+  return pdf_of_point(intersect_ellipse(ellipse, seen, position, direction));
 }

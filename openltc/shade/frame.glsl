@@ -11,9 +11,16 @@ struct Frame {
   Vec3 n;
 };
 
+/// A unit vector perpendicular to the unit vector n, without a branch: Duff et al. 2017, "Building an
+/// Orthonormal Basis, Revisited", equation 3.
+FN Vec3 any_perpendicular(Vec3 n) {
+  Real s = select(n.z < Real(0.0), Real(-1.0), Real(1.0));
+  Real a = Real(-1.0) / (s + n.z);
+  return Vec3(Real(1.0) + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
+}
+
 /// Frame of a unit normal and a unit direction to the viewer, world space. When the two are
-/// parallel any tangent serves; the branch-free basis of Duff et al. 2017, "Building an
-/// Orthonormal Basis, Revisited", equation 3, gives one.
+/// parallel any tangent serves.
 FN Frame shading_frame(Vec3 n, Vec3 wo) {
   Vec3 in_plane = wo - n * dot(n, wo);
   Real length2 = dot(in_plane, in_plane);
@@ -23,10 +30,7 @@ FN Frame shading_frame(Vec3 n, Vec3 wo) {
   Vec3 t1 = in_plane * inversesqrt(max(length2, Real(1.0e-8)));
   // Uniform shortcut: no lane looks along its normal.
   if (any_lane(parallel)) {
-    Real s = select(n.z < Real(0.0), Real(-1.0), Real(1.0));
-    Real a = Real(-1.0) / (s + n.z);
-    Vec3 any_tangent = Vec3(Real(1.0) + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
-    t1 = select(parallel, any_tangent, t1);
+    t1 = select(parallel, any_perpendicular(n), t1);
   }
 
   Frame frame;

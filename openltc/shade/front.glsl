@@ -15,19 +15,6 @@
 // outline is crossed twice at most: what is left is one arc and its chord. A tube's four pieces are
 // joined by way of a common crossing q, as the apex joins what the horizons cut.
 
-/// Heights of a light's lowest and highest point over a plane through the shaded point, metres.
-struct Heights {
-  Real low;
-  Real high;
-};
-
-FN Heights no_heights() {
-  Heights heights;
-  heights.low = Real(0.0);
-  heights.high = Real(0.0);
-  return heights;
-}
-
 /// A plane's normal in cosine space, unit, from that of shading space: M^T n, see
 /// horizon_normal_cosine.
 FN Vec3 plane_normal_cosine(Lobe lobe, Vec3 normal) {
@@ -64,11 +51,11 @@ FN Vec3 closed_term(Vec3 a, Vec3 b, Vec3 up, Real s) {
 FN_CALL Vec3 clipped_cone_in_front(Cone cone, Vec3 up, Vec3 front) {
   Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   Arc part = arc_above(cone, front);
-  Mask uncut = part.extent > Real(6.2831);
+  Mask uncut = part.extent > Real(k_full_turn);
   Mask hidden = part.extent <= Real(0.0);
   Arc surface = arc_above(cone, up);
   Arc cosine = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
-  Real start = select(surface.extent > Real(6.2831), cosine.start, surface.start);
+  Real start = select(surface.extent > Real(k_full_turn), cosine.start, surface.start);
   part.start = select(uncut, start, part.start);
   part.extent = select(uncut, Real(2.0) * k_pi, part.extent);
   Real s = select(cone.e3.y < Real(0.0), Real(-1.0), Real(1.0));
@@ -93,7 +80,8 @@ FN_CALL Vec3 edge_in_front(Vec3 a, Vec3 b, Vec3 q, Vec3 up, Vec3 front, Real s) 
 FN_CALL Vec3 arc_in_front(Cone cone, Arc part, Vec3 q, Vec3 up, Vec3 front, Real s) {
   Arc above = arc_above(cone, front);
   Real turn = Real(2.0) * k_pi;
-  Real x = select(above.extent > Real(6.2831), Real(0.0), wrapped_turn(above.start - part.start));
+  Real x =
+      select(above.extent > Real(k_full_turn), Real(0.0), wrapped_turn(above.start - part.start));
   Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   Vec3 sum = none;
   // Intervals on a circle meet themselves again after a turn.
@@ -120,14 +108,14 @@ FN_CALL Vec3 arc_in_front(Cone cone, Arc part, Vec3 q, Vec3 up, Vec3 front, Real
 FN Vec3 edge_crossing(Vec3 a, Vec3 b, Vec3 front, Vec3 otherwise) {
   Real a_height = dot(front, a);
   Real b_height = dot(front, b);
-  Real t = abs(a_height) * reciprocal(max(abs(a_height) + abs(b_height), Real(k_tiny)));
+  Real t = crossing_place(a_height, b_height);
   return select((a_height < Real(0.0)) != (b_height < Real(0.0)), a + (b - a) * t, otherwise);
 }
 
 /// The same of an arc of a cone's outline.
 FN Vec3 arc_crossing(Cone cone, Arc part, Vec3 front, Vec3 otherwise) {
   Arc above = arc_above(cone, front);
-  Mask cut = above.extent > Real(0.0) && above.extent <= Real(6.2831);
+  Mask cut = above.extent > Real(0.0) && above.extent <= Real(k_full_turn);
   Real end = above.start + above.extent;
   Vec3 q = select(cut && wrapped_turn(end - part.start) <= part.extent, cone_direction(cone, end),
                   otherwise);

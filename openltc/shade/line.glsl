@@ -96,6 +96,47 @@ FN Heights line_heights(Line line, Vec3 position, Vec3 normal) {
   return heights;
 }
 
+/// The integral over a line as a surface sees it; see surface_polygon_integral.
+FN LightIntegral surface_line_integral(Surface s, Line line) {
+  Heights heights = no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = line_heights(line, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
+  if (!cut) {
+    return integrate_line(line, s.position, s.frame, s.fitted.lobe);
+  }
+  LightIntegral integral =
+      integrate_line_in_front(line, s.position, s.frame, s.fitted.lobe, front_shading(s));
+  return unless_hidden(s, heights, integral);
+}
+
+/// Light that a surface reflects of a line of 1 cd/m, without shadow.
+FN ShadedLight shade_line_parts(Surface s, Line line) {
+  return shade_line_integral(s, surface_line_integral(s, line));
+}
+
+FN Vec3 shade_line(Surface s, Line line) { return both_parts(shade_line_parts(s, line)); }
+
+/// The part of a line that a surface sees, for sampling: above its horizon and in front of its triangle;
+/// where nothing is, a point.
+FN Line line_seen(Surface s, Line line) {
+  bool below = any_lane(line_heights(line, s.position, s.frame.n).low < Real(0.0));
+  bool behind = s.tilted && any_lane(line_heights(line, s.position, s.geometric).low < Real(0.0));
+  if (!below && !behind) {
+    return line;
+  }
+  FrontSegment part = segment_in_front(line.from - s.position, line.to - s.position, s.frame.n);
+  if (behind) {
+    part = segment_in_front(part.a, part.b, s.geometric);
+  }
+  Line seen;
+  seen.from = s.position + part.a;
+  seen.to = s.position + part.b;
+  return seen;
+}
+
 /// A point of the line, evenly distributed over the angle that it spans at `position`, from a number
 /// in [0, 1) (equi-angular sampling: Kulla and Fajardo 2012, "Importance Sampling Techniques for Path
 /// Tracing in Participating Media"). `solid_angle` is per metre of width, and no ray meets a line.

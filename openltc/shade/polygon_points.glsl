@@ -15,11 +15,11 @@
 /// Where a ray from `position` along the unit `direction` meets the polygon: the plane first, then
 /// the parity of the outline's crossings with a line through the point. The density is that of
 /// sampling its area evenly.
-FN LightPoint intersect_polygon(Polygon polygon, Vec3 position, Vec3 direction) {
+FN LightPoint intersect_polygon_by_area(Polygon polygon, Vec3 position, Vec3 direction) {
   Vec3 normal = polygon_normal(polygon);
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real slope = dot(direction, normal);
-  Real t = dot(to_origin, normal) / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
+  Real t = dot(to_origin, normal) / never_zero(slope);
   Vec3 on_plane = direction * t - to_origin;
   Real x = dot(on_plane, polygon_axis_u(polygon));
   Real y = dot(on_plane, polygon_axis_v(polygon));
@@ -31,7 +31,7 @@ FN LightPoint intersect_polygon(Polygon polygon, Vec3 position, Vec3 direction) 
     Vec2 b = polygon_point_in_plane(polygon, i);
     if (!polygon_starts_ring(polygon, i)) {
       Mask straddles = (a.y > y) != (b.y > y);
-      Real rise = b.y - a.y + select(a.y == b.y, Real(1.0), Real(0.0));
+      Real rise = never_zero(b.y - a.y);
       Mask crosses = straddles && x < a.x + (y - a.y) * (b.x - a.x) / rise;
       inside = inside != crosses;
     }
@@ -65,7 +65,7 @@ FN LightPoint polygon_point_towards(Polygon polygon, Vec3 position, Vec3 directi
   }
   LightPoint result;
   result.direction = direction;
-  result.distance = h / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
+  result.distance = h / never_zero(slope);
   result.cos_light = abs(slope);
   result.solid_angle = solid_angle;
   result.hit = faces && result.distance > Real(0.0) && result.cos_light > Real(1.0e-6) &&
@@ -92,6 +92,7 @@ struct SeenPolygon {
   Real triangle[k_max_seen_triangles]; // solid angles, steradians
   Real total;
   Mask known; // where it is sampled by solid angle
+  Mask sided; // where the point has a side of it
 };
 
 FN SphericalTriangle polygon_triangle_seen(Polygon polygon, int i, Vec3 position) {
@@ -99,8 +100,11 @@ FN SphericalTriangle polygon_triangle_seen(Polygon polygon, int i, Vec3 position
                             polygon_triangle_ab(polygon, i), polygon_triangle_ac(polygon, i));
 }
 
-FN SeenPolygon polygon_seen(Polygon polygon, Vec3 position) {
+/// error2: square of the metres within which the position is known.
+FN SeenPolygon polygon_seen(Polygon polygon, Vec3 position, Real error2) {
+  Vec3 to_origin = polygon_origin(polygon) - position;
   SeenPolygon seen;
+  seen.sided = !lies_in_plane(dot(to_origin, polygon_normal(polygon)), to_origin, error2);
   seen.total = Real(0.0);
   seen.known = Real(1.0) < Real(0.0);
   int count = polygon_triangle_count(polygon);
@@ -116,11 +120,12 @@ FN SeenPolygon polygon_seen(Polygon polygon, Vec3 position) {
 }
 
 /// A point of the polygon from two numbers in [0, 1). Its density per solid angle is 1 / solid_angle.
-FN LightPoint sample_seen_polygon(Polygon polygon, SeenPolygon seen, Vec3 position, Vec2 u) {
+FN LightPoint sample_polygon(Polygon polygon, SeenPolygon seen, Vec3 position, Vec2 u) {
   LightPoint by_area;
   LightPoint by_angle;
   if (!all_lanes(seen.known)) {
     by_area = polygon_point_at(polygon, position, polygon_area_point(polygon, u));
+    by_area.hit = by_area.hit && seen.sided;
   }
   if (!any_lane(seen.known)) {
     return by_area;
@@ -147,16 +152,21 @@ FN LightPoint sample_seen_polygon(Polygon polygon, SeenPolygon seen, Vec3 positi
   Vec3 direction =
       sample_spherical_triangle(spherical_triangle(corner - position, ab, ac), Vec2(rest, u.y));
   by_angle = polygon_point_towards(polygon, position, direction, seen.total);
+  by_angle.hit = by_angle.hit && seen.sided;
   if (all_lanes(seen.known)) {
     return by_angle;
   }
   return select_point(seen.known, by_angle, by_area);
 }
 
-/// Where a ray meets the polygon; its density is that of sample_seen_polygon.
-FN LightPoint intersect_seen_polygon(Polygon polygon, SeenPolygon seen, Vec3 position,
-                                     Vec3 direction) {
-  LightPoint point = intersect_polygon(polygon, position, direction);
+/// Where a ray meets the polygon; its density is that of sample_polygon.
+FN LightPoint intersect_polygon(Polygon polygon, SeenPolygon seen, Vec3 position, Vec3 direction) {
+  LightPoint point = intersect_polygon_by_area(polygon, position, direction);
+  point.hit = point.hit && seen.sided;
   point.solid_angle = select(seen.known, seen.total, point.solid_angle);
   return point;
+}
+
+FN Real pdf_polygon(Polygon polygon, SeenPolygon seen, Vec3 position, Vec3 direction) {
+  return pdf_of_point(intersect_polygon(polygon, seen, position, direction));
 }

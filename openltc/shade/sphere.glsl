@@ -51,64 +51,89 @@ FN Heights sphere_heights(Sphere sphere, Vec3 position, Vec3 normal) {
   return heights;
 }
 
-/// The sphere's cone of directions from a point: what sampling and meeting it share.
-struct SphereCone {
+/// The integral over a sphere as a surface sees it; see surface_polygon_integral.
+FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
+  Heights heights = no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = sphere_heights(sphere, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
+  LightIntegral integral =
+      integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
+  if (cut) {
+    return unless_hidden(s, heights, integral);
+  }
+  return integral;
+}
+
+/// Light that a surface reflects of a sphere of radiance 1, without shadow.
+FN ShadedLight shade_sphere_parts(Surface s, Sphere sphere) {
+  return shade_integral(s, surface_sphere_integral(s, sphere));
+}
+
+FN Vec3 shade_sphere(Surface s, Sphere sphere) { return both_parts(shade_sphere_parts(s, sphere)); }
+
+/// A sphere as a point sees it, for sampling by solid angle: its cone of directions.
+struct SeenSphere {
   Vec3 axis; // unit
   Real distance2;
   Real one_minus_cos; // of the half angle
   Mask outside;
 };
 
-FN SphereCone sphere_cone(Sphere sphere, Vec3 position) {
+FN SeenSphere sphere_seen(Sphere sphere, Vec3 position) {
   Vec3 to_center = sphere.center - position;
-  SphereCone cone;
-  cone.distance2 = max(dot(to_center, to_center), Real(k_tiny));
-  cone.axis = to_center * inversesqrt(cone.distance2);
-  Real sin2 = min(sphere.radius * sphere.radius / cone.distance2, Real(1.0));
+  SeenSphere seen;
+  seen.distance2 = max(dot(to_center, to_center), Real(k_tiny));
+  seen.axis = to_center * inversesqrt(seen.distance2);
+  Real sin2 = min(sphere.radius * sphere.radius / seen.distance2, Real(1.0));
   // 1 - cos = sin^2 / (1 + cos) does not cancel.
-  cone.one_minus_cos = sin2 / (Real(1.0) + sqrt(max(Real(1.0) - sin2, Real(0.0))));
-  cone.outside = cone.distance2 > sphere.radius * sphere.radius;
-  return cone;
+  seen.one_minus_cos = sin2 / (Real(1.0) + sqrt(max(Real(1.0) - sin2, Real(0.0))));
+  seen.outside = seen.distance2 > sphere.radius * sphere.radius;
+  return seen;
 }
 
 /// The sphere's near point along a unit direction with cosine 1 - one_minus_cos to its centre; `hit`
 /// is left for the caller.
-FN LightPoint sphere_point(Sphere sphere, SphereCone cone, Vec3 direction, Real one_minus_cos) {
+FN LightPoint sphere_point(Sphere sphere, SeenSphere seen, Vec3 direction, Real one_minus_cos) {
   Real cos_axis = Real(1.0) - one_minus_cos;
   Real sin2 = max(one_minus_cos * (Real(1.0) + cos_axis), Real(0.0));
   // Half of the chord, over the radius, is the cosine at the surface.
-  Real chord2 = max(sphere.radius * sphere.radius - cone.distance2 * sin2, Real(0.0));
+  Real chord2 = max(sphere.radius * sphere.radius - seen.distance2 * sin2, Real(0.0));
   Real half_chord = sqrt(chord2);
   LightPoint result;
-  result.hit = cone.outside;
+  result.hit = seen.outside;
   result.direction = direction;
-  result.distance = max(sqrt(cone.distance2) * cos_axis - half_chord, Real(0.0));
+  result.distance = max(sqrt(seen.distance2) * cos_axis - half_chord, Real(0.0));
   result.cos_light = min(half_chord / max(sphere.radius, Real(k_tiny)), Real(1.0));
-  result.solid_angle = Real(2.0) * k_pi * cone.one_minus_cos;
+  result.solid_angle = Real(2.0) * k_pi * seen.one_minus_cos;
   return result;
 }
 
-/// Where a ray from `position` along the unit `direction` meets the sphere. The density is that of
+/// Where a ray along the unit `direction` meets the sphere. The density is that of
 /// sample_sphere.
-FN LightPoint intersect_sphere(Sphere sphere, Vec3 position, Vec3 direction) {
-  SphereCone cone = sphere_cone(sphere, position);
+FN LightPoint intersect_sphere(Sphere sphere, SeenSphere seen, Vec3 direction) {
   // |direction - axis|^2 = 2 (1 - cos), exact where the cosine itself is not.
-  Vec3 d = direction - cone.axis;
+  Vec3 d = direction - seen.axis;
   Real one_minus_cos = Real(0.5) * dot(d, d);
-  LightPoint result = sphere_point(sphere, cone, direction, one_minus_cos);
-  result.hit = result.hit && one_minus_cos <= cone.one_minus_cos;
+  LightPoint result = sphere_point(sphere, seen, direction, one_minus_cos);
+  result.hit = result.hit && one_minus_cos <= seen.one_minus_cos;
   return result;
 }
 
 /// A point of the sphere, evenly distributed over the solid angle, from two numbers in [0, 1).
-FN LightPoint sample_sphere(Sphere sphere, Vec3 position, Vec2 u) {
-  SphereCone cone = sphere_cone(sphere, position);
-  Real one_minus_cos = u.x * cone.one_minus_cos;
+FN LightPoint sample_sphere(Sphere sphere, SeenSphere seen, Vec2 u) {
+  Real one_minus_cos = u.x * seen.one_minus_cos;
   Real sin_axis = sqrt(max(one_minus_cos * (Real(2.0) - one_minus_cos), Real(0.0)));
   Real phi = Real(2.0) * k_pi * u.y;
-  Vec3 e1 = any_perpendicular(cone.axis);
-  Vec3 e2 = cross(cone.axis, e1);
-  Vec3 direction = cone.axis * (Real(1.0) - one_minus_cos) + e1 * (sin_axis * cos(phi)) +
+  Vec3 e1 = any_perpendicular(seen.axis);
+  Vec3 e2 = cross(seen.axis, e1);
+  Vec3 direction = seen.axis * (Real(1.0) - one_minus_cos) + e1 * (sin_axis * cos(phi)) +
                    e2 * (sin_axis * sin(phi));
-  return sphere_point(sphere, cone, normalize(direction), one_minus_cos);
+  return sphere_point(sphere, seen, normalize(direction), one_minus_cos);
+}
+
+FN Real pdf_sphere(Sphere sphere, SeenSphere seen, Vec3 direction) {
+  return pdf_of_point(intersect_sphere(sphere, seen, direction));
 }

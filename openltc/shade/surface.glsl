@@ -83,6 +83,21 @@ FN Mask hidden_by_triangle(Surface s, Vec3 offset) {
   return height <= Real(0.0) || height * height <= s.position_error2;
 }
 
+/// Whether the point has a side of a flat light, whose plane holds `origin`: not on the emitter itself
+/// or on a wall flush with it, as far as its position is known. Without a side there is no light.
+FN Mask has_side(Surface s, Vec3 origin, Vec3 normal) {
+  Vec3 to_origin = origin - s.position;
+  return !lies_in_plane(dot(to_origin, normal), to_origin, s.position_error2);
+}
+
+/// An integral without what lanes have without a side of a flat light.
+FN LightIntegral unless_in_plane(Surface s, Vec3 origin, Vec3 normal, LightIntegral integral) {
+  Mask sided = has_side(s, origin, normal);
+  integral.diffuse = select(sided, integral.diffuse, Real(0.0));
+  integral.specular = select(sided, integral.specular, Real(0.0));
+  return integral;
+}
+
 /// An integral without what lanes have that see nothing of the light in front of the triangle's plane.
 FN LightIntegral unless_hidden(Surface s, Heights heights, LightIntegral integral) {
   Mask seen = heights.high > Real(0.0) && heights.high * heights.high > s.position_error2;
@@ -92,93 +107,6 @@ FN LightIntegral unless_hidden(Surface s, Heights heights, LightIntegral integra
 }
 
 FN Vec3 front_shading(Surface s) { return to_shading(s.frame, s.geometric); }
-
-// Integrals over lights as a surface sees them: what the triangle hides is left out. Uniform shortcuts:
-// no lane's normals differ, or no lane's triangle reaches the light.
-
-/// Whether the plane of some lane's triangle may cut a polygon.
-FN bool triangle_may_cut(Surface s, Polygon polygon) {
-  return s.tilted && any_lane(dot(s.geometric, polygon_centroid(polygon) - s.position) <
-                              polygon_radius(polygon));
-}
-
-/// The integral where triangle_may_cut, which most groups need not carry along.
-FN LightIntegral cut_polygon_integral(Surface s, Polygon polygon) {
-  Heights heights = polygon_heights(polygon, s.position, s.geometric);
-  if (all_lanes(heights.low >= Real(0.0))) {
-    return integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
-  }
-  LightIntegral integral =
-      integrate_polygon_in_front(polygon, s.position, s.frame, s.fitted.lobe, front_shading(s));
-  return unless_hidden(s, heights, integral);
-}
-
-FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
-  if (triangle_may_cut(s, polygon)) {
-    return cut_polygon_integral(s, polygon);
-  }
-  return integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
-}
-
-FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
-  Heights heights = no_heights();
-  bool cut = false;
-  if (s.tilted) {
-    heights = ellipse_heights(ellipse, s.position, s.geometric);
-    cut = any_lane(heights.low < Real(0.0));
-  }
-  LightIntegral integral =
-      integrate_ellipse_part(ellipse, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
-  if (cut) {
-    return unless_hidden(s, heights, integral);
-  }
-  return integral;
-}
-
-FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
-  Heights heights = no_heights();
-  bool cut = false;
-  if (s.tilted) {
-    heights = sphere_heights(sphere, s.position, s.geometric);
-    cut = any_lane(heights.low < Real(0.0));
-  }
-  LightIntegral integral =
-      integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
-  if (cut) {
-    return unless_hidden(s, heights, integral);
-  }
-  return integral;
-}
-
-FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
-  Heights heights = no_heights();
-  bool cut = false;
-  if (s.tilted) {
-    heights = tube_heights(tube, s.position, s.geometric);
-    cut = any_lane(heights.low < Real(0.0));
-  }
-  LightIntegral integral =
-      integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe, front_shading(s), heights, cut);
-  if (cut) {
-    return unless_hidden(s, heights, integral);
-  }
-  return integral;
-}
-
-FN LightIntegral surface_line_integral(Surface s, Line line) {
-  Heights heights = no_heights();
-  bool cut = false;
-  if (s.tilted) {
-    heights = line_heights(line, s.position, s.geometric);
-    cut = any_lane(heights.low < Real(0.0));
-  }
-  if (!cut) {
-    return integrate_line(line, s.position, s.frame, s.fitted.lobe);
-  }
-  LightIntegral integral =
-      integrate_line_in_front(line, s.position, s.frame, s.fitted.lobe, front_shading(s));
-  return unless_hidden(s, heights, integral);
-}
 
 /// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
 /// from around wi.
@@ -196,17 +124,13 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
   return Vec3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
 }
 
-/// Whether the point has a side of a flat light, whose plane holds `origin`: not on the emitter itself
-/// or on a wall flush with it, as far as its position is known. Without a side there is no light.
-FN Mask has_side(Surface s, Vec3 origin, Vec3 normal) {
-  Vec3 to_origin = origin - s.position;
-  return !lies_in_plane(dot(to_origin, normal), to_origin, s.position_error2);
-}
-
+/// Reflected light of a light of radiance 1.
 struct ShadedLight {
   Vec3 diffuse;
   Vec3 specular;
 };
+
+FN Vec3 both_parts(ShadedLight shaded) { return shaded.diffuse + shaded.specular; }
 
 /// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
 FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
@@ -224,30 +148,6 @@ FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
   shaded.diffuse = s.diffuse * integral.diffuse;
   shaded.specular = fresnel * (s.fitted.n1 * s.inv_share * integral.specular);
   return shaded;
-}
-
-/// Light of a polygon of radiance 1, both parts together, from its integral.
-FN Vec3 shade_polygon_integral(Surface s, Polygon polygon, LightIntegral integral) {
-  ShadedLight shaded = shade_integral(s, integral);
-  Mask sided = has_side(s, polygon_origin(polygon), polygon_normal(polygon));
-  return select(sided, shaded.diffuse + shaded.specular, Vec3(Real(0.0), Real(0.0), Real(0.0)));
-}
-
-FN Vec3 shade_whole_polygon(Surface s, Polygon polygon) {
-  return shade_polygon_integral(s, polygon,
-                                integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe));
-}
-
-FN Vec3 shade_cut_polygon(Surface s, Polygon polygon) {
-  return shade_polygon_integral(s, polygon, cut_polygon_integral(s, polygon));
-}
-
-/// Light of a polygon of radiance 1, both parts together.
-FN Vec3 shade_polygon(Surface s, Polygon polygon) {
-  if (triangle_may_cut(s, polygon)) {
-    return shade_cut_polygon(s, polygon);
-  }
-  return shade_whole_polygon(s, polygon);
 }
 
 /// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but

@@ -22,6 +22,9 @@ struct Tube {
   Real caps; // 0: none, the lateral surface alone; 1: flat; 2: round, a capsule
 };
 
+FN Mask has_caps(Tube tube) { return tube.caps > Real(0.5); }
+FN Mask has_round_caps(Tube tube) { return tube.caps > Real(1.5); }
+
 /// A tube around the origin of shading space.
 struct TubeView {
   Vec3 from;
@@ -69,7 +72,7 @@ struct TubeEnd {
 /// left; `whole`: whether this end is what points that are not beside the tube see.
 FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool first, Mask whole,
                          Lobe lobe) {
-  Mask round = tube.caps > Real(1.5);
+  Mask round = has_round_caps(tube);
   Real distance2 = dot(center, center);
   Vec3 direction = center * inversesqrt(max(distance2, Real(k_tiny)));
   Vec3 u = any_perpendicular(direction);
@@ -83,7 +86,7 @@ FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool 
   result.left = cone_direction(result.cone, left);
   result.right = cone_direction(result.cone, right);
   // An open end that one looks into: the other arc, backwards.
-  Mask into = tube.caps < Real(0.5) && dot(center, away) < Real(0.0);
+  Mask into = !has_caps(tube) && dot(center, away) < Real(0.0);
   Real forth = wrapped_turn(first ? left - right : right - left);
   Real back = wrapped_turn(first ? right - left : left - right);
   Real begin = first ? right : left;
@@ -101,9 +104,9 @@ FN Vec3 thin_end_term(Tube tube, Vec3 center, Vec3 away, Lobe lobe) {
   Real distance2 = max(dot(center, center), Real(k_tiny));
   Real distance = sqrt(distance2);
   Real facing = dot(center, away) / distance;
-  Mask into = tube.caps < Real(0.5) && facing < Real(0.0);
+  Mask into = !has_caps(tube) && facing < Real(0.0);
   Real area = Real(0.5) * k_pi * tube.radius * tube.radius *
-              select(tube.caps > Real(1.5), Real(1.0), abs(facing)) *
+              select(has_round_caps(tube), Real(1.0), abs(facing)) *
               select(into, Real(-1.0), Real(1.0));
   // Solid angle area / r^2, in cosine space det / |M^-1 w|^3 times that, w = center / r.
   Vec3 o = to_cosine(lobe, center);
@@ -126,8 +129,8 @@ FN Real tube_thickness(Tube tube, TubeView view, Lobe lobe) {
 /// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
 /// `cut`, of its part in front of the plane with unit normal `front` (that space).
 FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe, Vec3 front, bool cut) {
-  Mask round = tube.caps > Real(1.5);
-  Mask closed = tube.caps > Real(0.5);
+  Mask round = has_round_caps(tube);
+  Mask closed = has_caps(tube);
   // Not beside the tube: in front of one of its ends.
   Real from_along = dot(view.from, view.axis);
   Real to_along = dot(view.to, view.axis);
@@ -190,6 +193,13 @@ FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe, Vec3 front, b
   return select(whole, all, clipped);
 }
 
+/// Angular radius below which a tube is its strip and ends alone, and 1 over how much more it takes to be
+/// its outline alone, 0.008; and the same where a plane cuts it, 0.001.
+CONSTANT k_wholly_thin = 0.004;
+CONSTANT k_inv_thin_range = 250.0;
+CONSTANT k_wholly_thin_cut = 0.0005;
+CONSTANT k_inv_thin_range_cut = 2000.0;
+
 /// The same for tubes of any thickness.
 ///
 /// The two edges of a thin tube nearly cancel, of which rounding makes 1e-7 over its angular radius.
@@ -199,14 +209,17 @@ FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe, Vec3 front, b
 /// and the outline, though less exact, serves for thinner ones.
 FN_CALL Vec3 sum_tube(Tube tube, TubeView view, Lobe lobe, Vec3 front, Heights heights, bool cut) {
   Real thickness = tube_thickness(tube, view, lobe);
-  Real exact = min(max((thickness - Real(0.004)) * Real(250.0), Real(0.0)), Real(1.0));
+  Real exact =
+      min(max((thickness - Real(k_wholly_thin)) * Real(k_inv_thin_range), Real(0.0)), Real(1.0));
   Vec3 from = view.from;
   Vec3 to = view.to;
   Mask from_seen = Real(0.0) < Real(1.0);
   Mask to_seen = from_seen;
   Mask strip_seen = from_seen;
   if (cut) {
-    Real thinner = min(max((thickness - Real(0.0005)) * Real(2000.0), Real(0.0)), Real(1.0));
+    Real thinner =
+        min(max((thickness - Real(k_wholly_thin_cut)) * Real(k_inv_thin_range_cut), Real(0.0)),
+            Real(1.0));
     exact = select(heights.low < Real(0.0) && heights.high > Real(0.0), thinner, exact);
     FrontSegment part = segment_in_front(from, to, front);
     from_seen = dot(front, from) > Real(0.0);
@@ -235,7 +248,7 @@ FN Heights tube_heights(Tube tube, Vec3 position, Vec3 normal) {
   Real to = dot(normal, tube.to - position);
   Vec3 axis = safe_direction(tube.to - tube.from);
   Real along = dot(normal, axis);
-  Real reach = tube.radius * select(tube.caps > Real(1.5), Real(1.0),
+  Real reach = tube.radius * select(has_round_caps(tube), Real(1.0),
                                     sqrt(max(Real(1.0) - along * along, Real(0.0))));
   Heights heights;
   heights.low = min(from, to) - reach;
@@ -249,7 +262,7 @@ FN LightIntegral integrate_tube_part(Tube tube, Vec3 position, Frame frame, Lobe
                                      Heights heights, bool cut) {
   TubeView view = tube_view(tube, position, frame);
   // Its highest point: a tube below the horizon gives nothing, rounding or not.
-  Real reach = tube.radius * select(tube.caps > Real(1.5), Real(1.0),
+  Real reach = tube.radius * select(has_round_caps(tube), Real(1.0),
                                     sqrt(max(Real(1.0) - view.axis.z * view.axis.z, Real(0.0))));
   Real seen = select(max(view.from.z, view.to.z) + reach > Real(0.0), Real(1.0), Real(0.0));
   return light_integral(sum_tube(tube, view, cosine_lobe(), front, heights, cut) * seen,
@@ -262,6 +275,29 @@ FN LightIntegral integrate_tube(Tube tube, Vec3 position, Frame frame, Lobe lobe
   return integrate_tube_part(tube, position, frame, lobe, Vec3(Real(0.0), Real(0.0), Real(1.0)),
                              no_heights(), false);
 }
+
+/// The integral over a tube as a surface sees it; see surface_polygon_integral.
+FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
+  Heights heights = no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = tube_heights(tube, s.position, s.geometric);
+    cut = any_lane(heights.low < Real(0.0));
+  }
+  LightIntegral integral =
+      integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe, front_shading(s), heights, cut);
+  if (cut) {
+    return unless_hidden(s, heights, integral);
+  }
+  return integral;
+}
+
+/// Light that a surface reflects of a tube of radiance 1, without shadow.
+FN ShadedLight shade_tube_parts(Surface s, Tube tube) {
+  return shade_integral(s, surface_tube_integral(s, tube));
+}
+
+FN Vec3 shade_tube(Surface s, Tube tube) { return both_parts(shade_tube_parts(s, tube)); }
 
 /// Area of the emitting surface, square metres.
 FN Real tube_area(Tube tube) {
@@ -283,8 +319,8 @@ FN Real tube_emission(Tube tube, Vec3 toward, Real power, Real side_mean) {
   Real cos_axis = min(abs(dot(axis, toward)) * inversesqrt(length2), Real(1.0));
   Real sin_axis = sqrt(max(Real(1.0) - cos_axis * cos_axis, Real(0.0)));
   Real side = Real(2.0) * sqrt(length2) * sin_axis;
-  Mask round = tube.caps > Real(1.5);
-  Mask closed = tube.caps > Real(0.5);
+  Mask round = has_round_caps(tube);
+  Mask closed = has_caps(tube);
   Real end = select(closed, k_pi * tube.radius * select(round, Real(1.0), cos_axis), Real(0.0));
   Real end_mean = select(round, Real(2.0) / (power + Real(2.0)), cosine_emission(cos_axis, power));
   Real sum = side * side_mean * cosine_emission(sin_axis, power) + end * end_mean;

@@ -10,15 +10,15 @@ FN Mask inside_tube(Tube tube, Vec3 position) {
   Real length2 = max(dot(axis, axis), Real(k_tiny));
   Real along = dot(d, axis) / length2;
   Mask between = along >= Real(0.0) && along <= Real(1.0);
-  Mask round = tube.caps > Real(1.5);
+  Mask round = has_round_caps(tube);
   Real nearest = min(max(along, Real(0.0)), Real(1.0));
   Vec3 off = d - axis * select(round, nearest, along);
   return dot(off, off) <= tube.radius * tube.radius && (round || between);
 }
 
 /// Where a ray from `position` along the unit `direction` meets the tube from outside. The density
-/// is that of sample_tube.
-FN_CALL LightPoint intersect_tube(Tube tube, Vec3 position, Vec3 direction) {
+/// is that of sample_tube_by_area.
+FN_CALL LightPoint intersect_tube_by_area(Tube tube, Vec3 position, Vec3 direction) {
   Vec3 from = tube.from - position;
   Vec3 to = tube.to - position;
   Vec3 axis = safe_direction(to - from);
@@ -37,11 +37,11 @@ FN_CALL LightPoint intersect_tube(Tube tube, Vec3 position, Vec3 direction) {
 
   // The end that the ray comes to: of a disk the one that faces it, of a ball the one beyond which it
   // enters the infinite cylinder.
-  Mask round = tube.caps > Real(1.5);
+  Mask round = has_round_caps(tube);
   Mask first = (round && along < Real(0.0)) || (!round && slope > Real(0.0));
   Vec3 end = select(first, from, to);
   Vec3 out_of_end = select(first, -axis, axis);
-  Real t_disk = dot(end, axis) / (slope + select(slope == Real(0.0), Real(1.0), Real(0.0)));
+  Real t_disk = dot(end, axis) / never_zero(slope);
   Vec3 off = direction * t_disk - end;
   Mask on_disk = slope != Real(0.0) && dot(off, off) <= r2;
   Real b = dot(direction, end);
@@ -50,7 +50,7 @@ FN_CALL LightPoint intersect_tube(Tube tube, Vec3 position, Vec3 direction) {
   Real t_ball = b - sqrt(max(chord2, Real(0.0)));
   Vec3 ball_normal = (direction * t_ball - end) / tube.radius;
   Mask on_ball = chord2 > Real(0.0) && dot(ball_normal, out_of_end) >= Real(0.0);
-  Mask closed = tube.caps > Real(0.5);
+  Mask closed = has_caps(tube);
   Mask on_end = closed && ((round && on_ball) || (!round && on_disk));
 
   Real t = select(on_side, t_side, select(round, t_ball, t_disk));
@@ -64,7 +64,7 @@ FN_CALL LightPoint intersect_tube(Tube tube, Vec3 position, Vec3 direction) {
 
 /// A point evenly distributed over the tube's surface, from two numbers in [0, 1). Half of them lie
 /// on the far side and do not count as hit.
-FN_CALL LightPoint sample_tube(Tube tube, Vec3 position, Vec2 u) {
+FN_CALL LightPoint sample_tube_by_area(Tube tube, Vec3 position, Vec2 u) {
   Vec3 from = tube.from - position;
   Vec3 span = tube.to - tube.from;
   Real length2 = max(dot(span, span), Real(k_tiny));
@@ -80,7 +80,7 @@ FN_CALL LightPoint sample_tube(Tube tube, Vec3 position, Vec2 u) {
   Real x = u.x / max(side_share, Real(1.0e-12));
   Real y = min((u.x - side_share) / max(Real(1.0) - side_share, Real(1.0e-7)), Real(1.0));
   y = Real(2.0) * max(y, Real(0.0)) - Real(1.0);
-  Mask round = tube.caps > Real(1.5);
+  Mask round = has_round_caps(tube);
   // Of a sphere's surface the height is evenly distributed, of a disk's the square of the radius.
   Real height = abs(y);
   Real ring = sqrt(max(Real(1.0) - select(round, height * height, height), Real(0.0)));
@@ -118,8 +118,8 @@ struct SeenTube {
   Real side_share;
   Real end_share; // of the end at `from`, or of the flat end that faces the point
   Real other_share;
-  SphereCone from_ball;
-  SphereCone to_ball;
+  SeenSphere from_ball;
+  SeenSphere to_ball;
   Mask round;
   Mask sees_disk;
   Ellipse disk;
@@ -175,10 +175,10 @@ FN_CALL SeenTube tube_seen(Tube tube, Vec3 position) {
   Sphere ball;
   ball.radius = tube.radius;
   ball.center = tube.from;
-  seen.from_ball = sphere_cone(ball, position);
+  seen.from_ball = sphere_seen(ball, position);
   ball.center = tube.to;
-  seen.to_ball = sphere_cone(ball, position);
-  seen.round = tube.caps > Real(1.5);
+  seen.to_ball = sphere_seen(ball, position);
+  seen.round = has_round_caps(tube);
   end = select(seen.round, Real(2.0) * k_pi * seen.from_ball.one_minus_cos, end);
   other = select(seen.round, Real(2.0) * k_pi * seen.to_ball.one_minus_cos, other);
 
@@ -187,10 +187,10 @@ FN_CALL SeenTube tube_seen(Tube tube, Vec3 position) {
   seen.disk.half_u = seen.toward * tube.radius;
   seen.disk.half_v = seen.across * tube.radius;
   seen.disk.two_sided = Real(1.0);
-  seen.sees_disk = tube.caps > Real(0.5) && !seen.round && (seen.from > Real(0.0) || beyond_to);
+  seen.sees_disk = has_caps(tube) && !seen.round && (seen.from > Real(0.0) || beyond_to);
   // Uniform shortcut: no lane sees a flat end.
   if (any_lane(seen.sees_disk)) {
-    seen.seen_disk = ellipse_seen(seen.disk, position);
+    seen.seen_disk = ellipse_seen(seen.disk, position, Real(0.0));
     Real mid = Real(0.5);
     end = select(
         seen.sees_disk && seen.seen_disk.known,
@@ -208,7 +208,7 @@ FN_CALL SeenTube tube_seen(Tube tube, Vec3 position) {
   return seen;
 }
 
-/// Density per solid angle with which sample_seen_tube draws a unit direction.
+/// Density per solid angle with which sample_tube draws a unit direction.
 FN_CALL Real tube_density(SeenTube seen, Vec3 position, Vec3 direction) {
   Real along = dot(direction, seen.axis);
   Real x = dot(direction, seen.toward);
@@ -236,16 +236,16 @@ FN_CALL Real tube_density(SeenTube seen, Vec3 position, Vec3 direction) {
                    Real(0.0));
   // Uniform shortcut: no lane sees a flat end.
   if (any_lane(seen.sees_disk)) {
-    LightPoint on_disk = intersect_seen_ellipse(seen.disk, seen.seen_disk, position, direction);
+    LightPoint on_disk = intersect_ellipse(seen.disk, seen.seen_disk, position, direction);
     density = density + select(seen.sees_disk && on_disk.hit,
                                seen.end_share / max(on_disk.solid_angle, Real(k_tiny)), Real(0.0));
   }
   return density;
 }
 
-/// Where a ray meets the tube, with the density of sample_seen_tube.
-FN LightPoint intersect_seen_tube(Tube tube, SeenTube seen, Vec3 position, Vec3 direction) {
-  LightPoint point = intersect_tube(tube, position, direction);
+/// Where a ray meets the tube, with the density of sample_tube.
+FN LightPoint intersect_tube(Tube tube, SeenTube seen, Vec3 position, Vec3 direction) {
+  LightPoint point = intersect_tube_by_area(tube, position, direction);
   // Uniform shortcut: no lane samples by solid angle.
   if (!any_lane(seen.known)) {
     return point;
@@ -259,8 +259,8 @@ FN LightPoint intersect_seen_tube(Tube tube, SeenTube seen, Vec3 position, Vec3 
 
 /// A point of the tube, from two numbers in [0, 1): by solid angle, or where that is not known over
 /// its area.
-FN_CALL LightPoint sample_seen_tube(Tube tube, SeenTube seen, Vec3 position, Vec2 u) {
-  LightPoint by_area = sample_tube(tube, position, u);
+FN_CALL LightPoint sample_tube(Tube tube, SeenTube seen, Vec3 position, Vec2 u) {
+  LightPoint by_area = sample_tube_by_area(tube, position, u);
   // Uniform shortcut: no lane samples by solid angle.
   if (!any_lane(seen.known)) {
     return by_area;
@@ -285,13 +285,17 @@ FN_CALL LightPoint sample_seen_tube(Tube tube, SeenTube seen, Vec3 position, Vec
   Sphere ball;
   ball.radius = tube.radius;
   ball.center = select(on_end, tube.from, tube.to);
-  Vec3 to_ball = sample_sphere(ball, position, Vec2(x, u.y)).direction;
+  Vec3 to_ball = sample_sphere(ball, sphere_seen(ball, position), Vec2(x, u.y)).direction;
   direction = select(seen.round && !on_side, to_ball, direction);
   // Uniform shortcut: no lane sees a flat end.
   if (any_lane(seen.sees_disk)) {
-    Vec3 to_disk = sample_seen_ellipse(seen.disk, seen.seen_disk, position, Vec2(x, u.y)).direction;
+    Vec3 to_disk = sample_ellipse(seen.disk, seen.seen_disk, position, Vec2(x, u.y)).direction;
     direction = select(seen.sees_disk && !on_side, to_disk, direction);
   }
   direction = normalize(direction);
-  return select_point(seen.known, intersect_seen_tube(tube, seen, position, direction), by_area);
+  return select_point(seen.known, intersect_tube(tube, seen, position, direction), by_area);
+}
+
+FN Real pdf_tube(Tube tube, SeenTube seen, Vec3 position, Vec3 direction) {
+  return pdf_of_point(intersect_tube(tube, seen, position, direction));
 }

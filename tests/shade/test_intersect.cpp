@@ -32,7 +32,7 @@ TEST_CASE("a ray hits a polygon where the winding number says inside") {
     const bool at_plane = i % 7 != 0;
     const Vec3d direction = at_plane ? normalize(target - position) : random.sphere();
 
-    const f64::LightPoint hit = f64::intersect_polygon(polygon.view(), position, direction);
+    const f64::LightPoint hit = f64::intersect_polygon_by_area(polygon.view(), position, direction);
     const Vec3d normal = f64::polygon_normal(polygon.view());
     const double slope = dot(direction, normal);
     const double t = dot(f64::polygon_origin(polygon.view()) - position, normal) / slope;
@@ -55,6 +55,6 @@ TEST_CASE("a ray hits a polygon where the winding number says inside") {
 TEST_CASE("a ray within the polygon's plane hits nothing") {
   const TestPolygon polygon({testing::rectangle(1, 1)}, Vec3d(0, 0, 0), Vec3d(1, 0, 0),
                             Vec3d(0, 1, 0), true);
-  CHECK_FALSE(f64::intersect_polygon(polygon.view(), Vec3d(-2, 0, 0), Vec3d(1, 0, 0)).hit);
-  CHECK_FALSE(f32::intersect_polygon(polygon.view(), Vec3f(-2, 0, 0), Vec3f(1, 0, 0)).hit);
+  CHECK_FALSE(f64::intersect_polygon_by_area(polygon.view(), Vec3d(-2, 0, 0), Vec3d(1, 0, 0)).hit);
+  CHECK_FALSE(f32::intersect_polygon_by_area(polygon.view(), Vec3f(-2, 0, 0), Vec3f(1, 0, 0)).hit);
 }

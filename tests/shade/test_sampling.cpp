@@ -229,7 +229,7 @@ TEST_CASE("ellipses are sampled by solid angle: their density, and how even it i
     const double size = random.log_uniform(0.1, 2);
     const f64::Ellipse ellipse{center, frame.t1 * size,
                                frame.t2 * (size * (i % 2 == 0 ? 1.0 : random.uniform(0.2, 1))), 1};
-    const f64::SeenEllipse seen = f64::ellipse_seen(ellipse, Vec3d(0, 0, 0));
+    const f64::SeenEllipse seen = f64::ellipse_seen(ellipse, Vec3d(0, 0, 0), 0.0);
     if (!seen.known) continue;
     // Cells even in the ellipse's own area, each the share that the density gives it.
     const double area = f64::k_pi * length(ellipse.half_u) * length(ellipse.half_v);
@@ -242,7 +242,7 @@ TEST_CASE("ellipses are sampled by solid angle: their density, and how even it i
         const Vec3d to = center + ellipse.half_u * (radius * std::cos(phi)) +
                          ellipse.half_v * (radius * std::sin(phi));
         const f64::LightPoint point =
-            f64::intersect_seen_ellipse(ellipse, seen, Vec3d(0, 0, 0), normalize(to));
+            f64::intersect_ellipse(ellipse, seen, Vec3d(0, 0, 0), normalize(to));
         const double cell = area / (rings * parts * fine * fine) * point.cos_light / dot(to, to);
         solid_angle += cell;
         expected[std::size_t(r / fine * parts + k / fine)] += count * cell / point.solid_angle;
@@ -250,7 +250,7 @@ TEST_CASE("ellipses are sampled by solid angle: their density, and how even it i
     double mean = 0;
     for (int k = 0; k < count; ++k) {
       const f64::LightPoint point =
-          f64::sample_seen_ellipse(ellipse, seen, Vec3d(0, 0, 0), random.square());
+          f64::sample_ellipse(ellipse, seen, Vec3d(0, 0, 0), random.square());
       REQUIRE(point.hit);
       mean += point.solid_angle / count;
       farthest =
@@ -327,14 +327,13 @@ TEST_CASE("tubes are sampled by solid angle: their density, and how even it is")
         if (cell.projected <= 0) continue;
         const double angle = cell.projected / (dot(cell.to, cell.to) * fine * fine);
         const f64::LightPoint point =
-            f64::intersect_seen_tube(tube, seen, Vec3d(0, 0, 0), normalize(cell.to));
+            f64::intersect_tube(tube, seen, Vec3d(0, 0, 0), normalize(cell.to));
         solid_angle += angle;
         expected[std::size_t(r / fine * columns + c / fine)] += count * angle / point.solid_angle;
       }
     double mean = 0;
     for (int k = 0; k < count; ++k) {
-      const f64::LightPoint point =
-          f64::sample_seen_tube(tube, seen, Vec3d(0, 0, 0), random.square());
+      const f64::LightPoint point = f64::sample_tube(tube, seen, Vec3d(0, 0, 0), random.square());
       REQUIRE(point.hit);
       mean += point.solid_angle / count;
       farthest =
