@@ -13,7 +13,16 @@ struct Ellipse {
 };
 
 /// Unit, to the emitting side.
-FN Vec3 ellipse_normal(Ellipse ellipse) { return normalize(cross(ellipse.half_u, ellipse.half_v)); }
+FN Vec3 ellipse_normal(Ellipse ellipse) {
+  Vec3 normal = cross(ellipse.half_u, ellipse.half_v);
+  return normal * inversesqrt(max(dot(normal, normal), Real(k_tiny)));
+}
+
+/// Square metres.
+FN Real ellipse_area(Ellipse ellipse) {
+  Vec3 normal = cross(ellipse.half_u, ellipse.half_v);
+  return sqrt(dot(normal, normal)) * k_pi;
+}
 
 /// 2 pi times the vector irradiances of the cone of directions to a flat ellipse, all in shading
 /// space; where `cut`, of its part in front of the plane with unit normal `front`.
@@ -102,9 +111,7 @@ FN Vec3 shade_ellipse(Surface s, Ellipse ellipse) {
 /// Where a ray from `position` along the unit `direction` meets the ellipse. The density is that of
 /// sample_ellipse_by_area.
 FN LightPoint intersect_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec3 direction) {
-  Vec3 normal = cross(ellipse.half_u, ellipse.half_v);
-  Real area = sqrt(dot(normal, normal)) * k_pi;
-  normal = normal * (k_pi / max(area, Real(k_tiny)));
+  Vec3 normal = ellipse_normal(ellipse);
   Vec3 to_center = ellipse.center - position;
   Real h = dot(to_center, normal);
   Real slope = dot(direction, normal);
@@ -112,8 +119,8 @@ FN LightPoint intersect_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec3 dir
   Vec3 on_plane = direction * t - to_center;
   Real x = dot(on_plane, ellipse.half_u) / max(dot(ellipse.half_u, ellipse.half_u), Real(k_tiny));
   Real y = dot(on_plane, ellipse.half_v) / max(dot(ellipse.half_v, ellipse.half_v), Real(k_tiny));
-  LightPoint result = area_light_point(direction * t, normal, area, ellipse.two_sided,
-                                       lies_in_plane(h, to_center, Real(0.0)));
+  LightPoint result = area_light_point(direction * t, normal, ellipse_area(ellipse),
+                                       ellipse.two_sided, lies_in_plane(h, to_center, Real(0.0)));
   result.hit = result.hit && t > Real(0.0) && x * x + y * y <= Real(1.0);
   result.direction = direction;
   return result;
@@ -121,15 +128,13 @@ FN LightPoint intersect_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec3 dir
 
 /// A point evenly distributed over the ellipse, from two numbers in [0, 1).
 FN LightPoint sample_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec2 u) {
-  Vec3 normal = cross(ellipse.half_u, ellipse.half_v);
-  Real area = sqrt(dot(normal, normal)) * k_pi;
-  normal = normal * (k_pi / max(area, Real(k_tiny)));
+  Vec3 normal = ellipse_normal(ellipse);
   Real radius = sqrt(u.x);
   Real phi = Real(2.0) * k_pi * u.y;
   Vec3 to_center = ellipse.center - position;
   Vec3 offset =
       to_center + ellipse.half_u * (radius * cos(phi)) + ellipse.half_v * (radius * sin(phi));
-  return area_light_point(offset, normal, area, ellipse.two_sided,
+  return area_light_point(offset, normal, ellipse_area(ellipse), ellipse.two_sided,
                           lies_in_plane(dot(to_center, normal), to_center, Real(0.0)));
 }
 
@@ -213,8 +218,7 @@ FN LightPoint sample_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 position, V
   Vec3 direction = normalize(seen.cone.e3 * (Real(1.0) - one_minus_cos) +
                              seen.cone.e1 * (across * x) + seen.cone.e2 * (across * y));
 
-  Vec3 normal = cross(ellipse.half_u, ellipse.half_v);
-  normal = normal * inversesqrt(max(dot(normal, normal), Real(k_tiny)));
+  Vec3 normal = ellipse_normal(ellipse);
   Vec3 to_center = ellipse.center - position;
   Real h = dot(to_center, normal);
   Real slope = dot(direction, normal);

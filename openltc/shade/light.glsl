@@ -10,7 +10,8 @@
 //                   without what the surface's triangle hides
 //   shade_X_parts, shade_X   the light that the surface reflects of it, for radiance 1 and without shadow
 //   X_seen          what sampling wants to know of it and of the point, once for all samples
-//   sample_X, intersect_X, pdf_X   a point of it from random numbers, or where a ray meets it; its density
+//   sample_X, intersect_X, pdf_X   a point of it from random numbers, or where a ray meets it; its density.
+//                   No ray meets a line
 
 /// What shading wants to know of a light of radiance 1, whatever its shape, without shadow.
 ///
