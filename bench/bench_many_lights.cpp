@@ -159,7 +159,7 @@ void facets(const std::vector<int>& counts, int truth_samples) {
       first_to_one_percent = to_one_percent;
     }
     fmt::print(
-        "  {:>6} | {:>8.3f} {:>7.2f} {:>7.1f} {:>7.1f} {:>7.2f}% | {:>8.3f} {:>7.2f} {:>7.2f}% "
+        "  {:>6} | {:>8.3f} {:>7.2f} {:>7.1f} {:>7.1f} {:>7.2f}% | {:>8.3f} {:>7.2f} {:>7.3f}% "
         "{:>9.3f} {:>7.2f}\n",
         scene.lights.polygons.size(), ltc.cpu_seconds, ltc.cpu_seconds / first_ltc,
         ltc.picture.lights_per_point, ltc.picture.far_groups_per_point,

@@ -160,7 +160,7 @@ struct LightNode {
 /// A tree from which the reference draws lights with known probabilities.
 struct LightNodes {
   const LightNode* nodes = nullptr; ///< null: every sample takes all lights
-  int samples = 0; ///< lights that a group of points draws, at most k_most_drawn_lights
+  int samples = 0; ///< rays to lights that a group of points sends; a few lights are drawn for each
 };
 
 struct PunctualLightView {
@@ -212,7 +212,7 @@ inline constexpr int k_max_brdf_samples = 64;
 /// lights; those that were found not to reach it as many as that.
 inline constexpr int k_far_light_samples = 4, k_hidden_light_samples = 2;
 
-inline constexpr int k_most_drawn_lights = 256;
+inline constexpr int k_most_drawn_lights = 1024, k_lights_a_ray = 4;
 /// More than the depth of any light tree, which is that of the logarithm of the number of lights.
 inline constexpr int k_light_tree_depth = 64;
 

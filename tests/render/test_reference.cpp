@@ -74,6 +74,26 @@ TEST_CASE("reference equals the closed form on a Lambertian scene") {
         0.01 * mean(reference.radiance));
 }
 
+TEST_CASE("a reference that draws lights equals the closed form of all of them") {
+  // Lambertian and without shadows, where the closed form is exact. From 128 lights on some are
+  // drawn.
+  scene::Scene scene;
+  test::add_floor(scene, 20, 0, test::diffuse_material({0.5f, 0.5f, 0.5f}));
+  test::add_sphere(scene, {0, 0.8f, 0}, 0.8f, test::diffuse_material({0.7f, 0.4f, 0.3f}));
+  for (int i = 0; i < 200; ++i) {
+    const float x = float(i % 20) * 0.5f - 5, z = float(i / 20) * 0.7f - 4;
+    scene.lights.polygons.push_back(test::ceiling_rectangle(
+        x, z, x + 0.2f, z + 0.3f, 2.5f + 0.1f * float(i % 7), 10 + 40.0f * float(i % 5)));
+  }
+  const render::Picture ltc = rendered(scene, render::Integrator::ltc, 16, 0);
+  const render::Picture reference = rendered(scene, render::Integrator::reference, 64, 0);
+  // Camera samples differ; what the means of pictures are apart by is their noise at the sphere's
+  // rim.
+  CHECK(mean(ltc.radiance) == doctest::Approx(mean(reference.radiance)).epsilon(0.002));
+  CHECK(mean_absolute_difference(ltc.radiance, reference.radiance) <
+        0.02 * mean(reference.radiance));
+}
+
 TEST_CASE("the standard error of the reference covers its true error") {
   const scene::Scene scene = spheres(true);
   const render::Picture rough = rendered(scene, render::Integrator::reference, 32, 1);
