@@ -85,6 +85,9 @@ FN LightPoint polygon_point_at(Polygon polygon, Vec3 position, Vec3 point) {
 /// Polygons of so many triangles are sampled by their solid angle, others by their area.
 const int k_max_seen_triangles = 8;
 
+/// Steradians under which single precision can place a direction.
+CONSTANT k_least_seen = 1.0e-3;
+
 /// A polygon as a point sees it, for sampling by solid angle. Points that see it under very little, or
 /// under nearly all of their half space, draw from its area instead: there single precision cannot place
 /// a direction.
@@ -111,11 +114,17 @@ FN SeenPolygon polygon_seen(Polygon polygon, Vec3 position, Real error2) {
   if (count > k_max_seen_triangles) {
     return seen;
   }
+  // Uniform shortcut: no lane sees it under enough, since all of it is as far as its nearest point.
+  Vec3 to_center = polygon_centroid(polygon) - position;
+  Real nearest = max(sqrt(dot(to_center, to_center)) - polygon_radius(polygon), Real(0.0));
+  if (all_lanes(polygon_area(polygon) < Real(0.99) * Real(k_least_seen) * nearest * nearest)) {
+    return seen;
+  }
   for (int i = 0; i < count; ++i) {
     seen.triangle[i] = polygon_triangle_seen(polygon, i, position).solid_angle;
     seen.total = seen.total + seen.triangle[i];
   }
-  seen.known = seen.total > Real(1.0e-3) && seen.total < Real(6.2);
+  seen.known = seen.total > Real(k_least_seen) && seen.total < Real(6.2);
   return seen;
 }
 
