@@ -132,6 +132,7 @@ TEST_CASE("balanced beats the published table in every figure at once") {
   const std::vector<fit::LightError> lights = *fit::measure_lights(ggx(), candidates, {});
   MESSAGE("random rectangles, RMSE: balanced ", lights[0].rmse, ", tv ", lights[1].rmse,
           ", published ", lights[2].rmse);
-  CHECK(lights[0].rmse < lights[2].rmse);
+  CHECK(lights[0].rmse < 0.6 * lights[2].rmse);
+  CHECK(lights[1].rmse < 0.45 * lights[2].rmse);
   CHECK(lights[1].rmse < lights[0].rmse);
 }

@@ -380,6 +380,7 @@ TEST_CASE("no pixel of a picture of many lights errs more than was allowed, and 
     const float brightest = *std::max_element(all.radiance.data.begin(), all.radiance.data.end());
     CHECK(max_difference(all.radiance, chosen.radiance) <=
           chosen.light_error_nits + 1e-6 * double(brightest));
+    CHECK(chosen.lights_per_point < 0.5 * 150);
     CHECK(chosen.lights_per_point < 0.9 * previous);
     previous = chosen.lights_per_point;
   }

@@ -28,8 +28,10 @@ constexpr std::size_t k_smallest_range = 32;             // points that are not 
 constexpr std::size_t k_probe_points = 16;
 // Of the points of a probe so many may be darker than the level that errors are measured against.
 constexpr std::size_t k_darker_points = 3;
-// What is darker than this share of the view's level counts as that bright: errors there are 1/50
-// of what is allowed elsewhere, far below what a display or an eye that sees the rest can show.
+// What shows less than k_darkest, or more than k_brightest, of the view's level counts as that
+// bright. With the default light error what is allowed in the dark is 3e-4 of that level, a fifth
+// of the smallest step of 8 bits of sRGB when the level is shown as 18 % grey. The other bound
+// keeps dark points among very bright ones.
 constexpr double k_darkest = 0.1;
 constexpr double k_brightest = 16;
 // A choice that allows at most so much more than its range turns out to deserve is kept.

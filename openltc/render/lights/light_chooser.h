@@ -31,8 +31,8 @@ public:
 
   /// Splits a range of points until all of it can be lit by one choice, and calls `shade` for each
   /// part, in ascending order. A part's choice is within light_error of what a few of its points
-  /// show: what they reflect, shadows included, but no more of it than the level of the view, and
-  /// what they emit.
+  /// show: what they reflect, shadows included, between a tenth and sixteen times the level of the
+  /// view, and what they emit.
   using Shade = std::function<void(PointBuffer::Range, const LightChoice&)>;
   void light(PointBuffer& points, PointBuffer::Range range, const Shade& shade);
 
