@@ -23,9 +23,9 @@ namespace {
 // How much a light's direction counts beside its place when lights are grouped: opposite normals
 // weigh four times the size of the group.
 constexpr float k_direction_weight = 4.0f;
-// A light whose far form is good enough has a shadow of its own, for it alone, if it is at least
-// this share of all: the noise of shared shadows grows with what is in them.
-constexpr double k_least_exact = 1.0 / 64;
+// A light has a shadow of its own, for it alone, if it is at least this share of all: the noise of
+// shared shadows grows with what is in them.
+constexpr double k_least_exact = 1.0 / 128;
 // Refining goes on until so much of the tolerance is taken; the rest is for cheaper forms.
 constexpr double k_refined_share = 0.8;
 // Of a tolerance that refining has left over so much goes to leaving lights out.
@@ -278,9 +278,12 @@ void LightTree::arrange(std::size_t most_exact, LightChoice& choice) const {
     all += expected(i);
   for (std::uint32_t i = 0; i < choice.entries.size(); ++i) {
     const bool single = i < choice.single_count;
-    const bool shadowed = most_exact != k_all_exact && node_of(i).right == 0;
-    const bool counts = single || expected(i) >= k_least_exact * all;
-    (single || (shadowed && counts) ? own : shared).push_back(i);
+    // A shadow of its own is for what counts; without shadows, what has no far form that will do.
+    const bool shadowed =
+        most_exact != k_all_exact && node_of(i).right == 0 && expected(i) >= k_least_exact * all;
+    const bool alone =
+        most_exact == k_all_exact ? single : shadowed || (single && !node_of(i).far_error.valid);
+    (alone ? own : shared).push_back(i);
   }
   if (own.size() > most_exact)
     std::nth_element(own.begin(), own.begin() + std::ptrdiff_t(most_exact), own.end(),
