@@ -108,6 +108,7 @@ Result<RenderJob> read_arguments(const RenderArguments& arguments) {
   options.shadow_samples = arguments.shadow_samples;
   options.light_error = arguments.light_error;
   options.punctual_form = arguments.point_lights;
+  options.specular_form = arguments.specular;
   options.filter = arguments.filter;
   options.seed = arguments.seed;
   options.threads = arguments.threads;

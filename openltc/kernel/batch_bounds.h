@@ -36,6 +36,7 @@ enum BoundField {
   k_bound_longest,   ///< and at most how it magnifies any distance
   k_bound_geometric, ///< normal of the triangle
   k_bound_tilt = k_bound_geometric + 3, ///< length of its difference from the shading normal
+  k_bound_ratio, ///< what the lobe's light is at most multiplied by: Surface::max_ratio
   k_bound_field_count
 };
 

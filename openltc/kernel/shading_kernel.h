@@ -189,6 +189,10 @@ using TraceShadows = void (*)(const void* tracer, const ShadowRays& rays);
 
 enum class Integrator { ltc, reference };
 enum class PunctualForm { exact, ltc };
+/// The specular part of area lights: by the fitted lobe alone, or times the BRDF's ratio to it in
+/// each light's mean direction (blended_ratio, shade/surface.glsl), for lobes that were fitted to
+/// GGX.
+enum class SpecularForm { lobe, ratio };
 
 struct KernelContext {
   LobeTableView table;
@@ -201,6 +205,8 @@ struct KernelContext {
   int punctual_count = 0;
   Integrator integrator = Integrator::ltc;
   PunctualForm punctual_form = PunctualForm::exact;
+  SpecularForm specular_form = SpecularForm::lobe;
+  bool many_lights = false;     ///< their light is bounded: k_max_ratio_of_many
   int light_samples = 0;        ///< per point and area light
   int brdf_samples = 0;         ///< per point, shared by all lights; at most k_max_brdf_samples
   TraceShadows trace = nullptr; ///< null: no shadows

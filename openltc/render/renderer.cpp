@@ -305,6 +305,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   context.punctual_count = int(lights.punctual.size());
   context.integrator = options.integrator;
   context.punctual_form = options.punctual_form;
+  context.specular_form = options.specular_form;
   const bool reference = options.integrator == Integrator::reference;
   context.light_samples = context.brdf_samples = 1; // the LTC integrator has its own plan
   job.shadows = plan_shadows(options.shadow_samples, options.samples);
@@ -330,6 +331,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   if (reference && !tree.nodes().empty()) {
     context.light_nodes = {tree.nodes().data(), k_drawn_lights};
   } else if (!tree.nodes().empty()) {
+    context.many_lights = true;
     context.far_lights.order = tree.order().data();
     context.far_lights.cdf = tree.cdf().data();
     for (const AreaLightView& light : lights.area_lights)

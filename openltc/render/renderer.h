@@ -41,7 +41,8 @@ struct RenderOptions {
   /// every point.
   float light_error = 0.003f;
   PunctualForm punctual_form = PunctualForm::exact;
-  Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
+  SpecularForm specular_form = SpecularForm::lobe; ///< of area lights
+  Vec3f background{0, 0, 0};                       ///< nits, where a ray meets nothing
   std::uint32_t seed = 0;
   int threads = 0;             ///< 0 = all cores; the picture does not depend on it
   std::string kernel = "auto"; ///< "auto" or a name of kernel_by_name

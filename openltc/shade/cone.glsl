@@ -317,6 +317,12 @@ FN Mask cone_is_above(Cone cone, Vec3 up) {
          height_o * height_o >= po * po + qo * qo;
 }
 
+/// Square of the mean of the unit vectors to the ends of a cone's axes; see light_concentration.
+FN Real cone_outline2(Cone cone) {
+  Real mean = Real(0.5) * (cone.c1 + cone.c2);
+  return mean * mean;
+}
+
 /// Vector irradiance times 2 pi of a whole cone, clipped to the wedge between the horizons with unit
 /// normals `up` and z.
 FN_CALL Vec3 clipped_cone(Cone cone, Vec3 up) {

@@ -29,6 +29,13 @@ CONSTANT k_normal_rounding = 1.0e-6;
 /// and more there; a lobe of a damaged table must not magnify rounding.
 CONSTANT k_min_share = 0.01;
 
+/// Most that a light's specular part is multiplied by (blended_ratio), so that it fades where a light
+/// leaves the lobe, beyond whose own horizon there is nothing to multiply; and where lights are so many
+/// that their sum has to be bounded. Where the BRDF is 16 times the lobe, there is next to nothing of
+/// either.
+CONSTANT k_max_ratio = 64.0;
+CONSTANT k_max_ratio_of_many = 16.0;
+
 /// Added under a division or a square root whose argument may vanish; far below any length in use.
 CONSTANT k_tiny = 1.0e-30;
 

@@ -29,6 +29,7 @@ FN Real ellipse_area(Ellipse ellipse) {
 struct ConeSums {
   Vec3 diffuse;
   Vec3 specular;
+  Real outline2; // see light_concentration
 };
 
 FN ConeSums sum_ellipse_cone(Vec3 center, Vec3 u, Vec3 v, Lobe lobe, Vec3 front, bool cut) {
@@ -37,6 +38,7 @@ FN ConeSums sum_ellipse_cone(Vec3 center, Vec3 u, Vec3 v, Lobe lobe, Vec3 front,
   Cone cone = make_cone(center, u, v);
   Cone cone_o = make_cone(to_cosine(lobe, center), to_cosine(lobe, u), to_cosine(lobe, v));
   ConeSums sums;
+  sums.outline2 = cone_outline2(cone_o);
   if (cut) {
     sums.diffuse = clipped_cone_in_front(cone, up, front);
     sums.specular = clipped_cone_in_front(cone_o, up_o, plane_normal_cosine(lobe, front));
@@ -62,7 +64,7 @@ FN LightIntegral integrate_ellipse_part(Ellipse ellipse, Vec3 position, Frame fr
   // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
   Real reach = sqrt(u.z * u.z + v.z * v.z);
   side = select(center.z + reach > Real(0.0), side, Real(0.0));
-  return light_integral(sums.diffuse * side, sums.specular * side, lobe);
+  return light_integral(sums.diffuse * side, sums.specular * side, lobe, sums.outline2);
 }
 
 /// Integrals over an ellipse seen from `position` (world space), for Lambert and for `lobe`. Zero

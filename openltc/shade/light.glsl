@@ -23,15 +23,28 @@ struct LightIntegral {
   Real specular;           // integral of the lobe's density, both horizons respected, 0..1
   Vec3 diffuse_direction;  // shading space, unit
   Vec3 specular_direction; // shading space, unit
+  Real concentration; // cosine space, 0..1: 1 for a light so small that it lies in one direction
 };
 
-/// From the vector irradiances times 2 pi.
-FN LightIntegral light_integral(Vec3 diffuse, Vec3 specular, Lobe lobe) {
+/// How closely a light keeps to its mean direction in cosine space, 0..1: R^4 (1 - |Phi|).
+///
+/// R is the length of the mean of the unit vectors to the points that make up the light's outline: its
+/// cosine for a cone, 1 for a point, near 0 for a wall on all sides; outline2 is its square. Phi is the
+/// vector irradiance, which is as long as 1 for a light that is all around.
+FN Real light_concentration(Real outline2, Real vector_irradiance) {
+  Real rest = max(Real(1.0) - vector_irradiance, Real(0.0));
+  return min(outline2 * outline2, Real(1.0)) * rest;
+}
+
+/// From the vector irradiances times 2 pi; outline2: see light_concentration.
+FN LightIntegral light_integral(Vec3 diffuse, Vec3 specular, Lobe lobe, Real outline2) {
   LightIntegral result;
   result.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
   result.specular = min(max(specular.z * k_half_inv_pi, Real(0.0)), Real(1.0));
   result.diffuse_direction = safe_direction(diffuse);
   result.specular_direction = safe_direction(from_cosine(lobe, specular));
+  result.concentration =
+      light_concentration(outline2, sqrt(dot(specular, specular)) * k_half_inv_pi);
   return result;
 }
 

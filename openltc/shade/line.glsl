@@ -66,6 +66,7 @@ FN LightIntegral integrate_segment(Vec3 a, Vec3 b, Lobe lobe) {
   result.specular = min(max(specular.z * k_half_inv_pi, Real(0.0)), Real(1.0e15));
   result.diffuse_direction = safe_direction(diffuse);
   result.specular_direction = safe_direction(from_cosine(lobe, safe_direction(specular)));
+  result.concentration = Real(0.0); // it has none; see segment_ratio
   return result;
 }
 
@@ -112,9 +113,80 @@ FN LightIntegral surface_line_integral(Surface s, Line line) {
   return unless_hidden(s, heights, integral);
 }
 
+/// Pieces into which the ratio to the BRDF divides a segment.
+const int k_line_pieces = 6;
+
+/// Means over a segment, weighted by the lobe.
+struct SegmentRatio {
+  Real scale; // of blended_ratio
+  Real bias;  // of blended_ratio times Schlick's weight
+};
+
+/// blended_ratio of a long light: a mean over pieces that span equal angles in cosine space, each taken in
+/// its own mean direction. a, b: its ends, shading space; w: see blended_ratio.
+///
+/// A long light has no one direction, least of all one low over the horizon, where the BRDF vanishes and
+/// the lobe does not. The weights are line_term's, whose angles are steps of a rotation.
+FN_CALL SegmentRatio segment_ratio(Surface s, Vec3 a, Vec3 b, Real w) {
+  Lobe lobe = s.fitted.lobe;
+  ClippedEdge edge = clip_edge(to_cosine(lobe, a), to_cosine(lobe, b), a.z, b.z);
+  Vec3 t = safe_direction(edge.p1 - edge.p0);
+  Real from = dot(edge.p0, t);
+  Real to = dot(edge.p1, t);
+  Vec3 foot = edge.p0 - t * from;
+  Real d2 = max(dot(foot, foot),
+                Real(1.0e-12) * (dot(edge.p0, edge.p0) + dot(edge.p1, edge.p1)) + Real(k_tiny));
+  Real inv_d = inversesqrt(d2);
+  Real d = d2 * inv_d;
+  Vec3 f = foot * inv_d;
+  Real step = angle_of(d2 + from * to, d * (to - from)) * Real(1.0 / float(k_line_pieces));
+  Real step_cos = cos(step);
+  Real step_sin = sin(step);
+  Real inv_r = inversesqrt(d2 + from * from);
+  Real c = d * inv_r;
+  Real n = from * inv_r;
+  Real total = Real(k_tiny);
+  SegmentRatio mean;
+  mean.scale = Real(0.0);
+  mean.bias = Real(0.0);
+  for (int i = 0; i < k_line_pieces; ++i) {
+    Real next_c = c * step_cos - n * step_sin;
+    Real next_n = n * step_cos + c * step_sin;
+    Vec3 sum = f * (step + next_n * next_c - n * c) + t * (next_n * next_n - n * n);
+    Real weight = max(sum.z, Real(0.0));
+    Vec3 wi = safe_direction(from_cosine(lobe, sum));
+    Real part = weight * blended_ratio(s, wi, w);
+    mean.scale = mean.scale + part;
+    mean.bias = mean.bias + part * fresnel_weight(s.wo, wi);
+    total = total + weight;
+    c = next_c;
+    n = next_n;
+  }
+  Real inv_total = select(edge.outside, Real(0.0), Real(1.0) / total);
+  mean.scale = mean.scale * inv_total;
+  mean.bias = mean.bias * inv_total;
+  return mean;
+}
+
+/// Reflected light of a light of no width, whose integral is per metre of it and has no upper bound.
+FN ShadedLight shade_line_integral(Surface s, Line line, LightIntegral integral) {
+  Real amplitude = s.fitted.n1 * s.inv_share * integral.specular;
+  ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  if (s.corrected) {
+    SegmentRatio ratio = segment_ratio(s, to_shading(s.frame, line.from - s.position),
+                                       to_shading(s.frame, line.to - s.position), Real(1.0));
+    shaded.specular = (s.f0 * ratio.scale + (s.f90 - s.f0) * ratio.bias) * amplitude;
+  } else {
+    shaded.specular =
+        (s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, integral.specular_direction)) * amplitude;
+  }
+  return shaded;
+}
+
 /// Light that a surface reflects of a line of 1 cd/m, without shadow.
 FN ShadedLight shade_line_parts(Surface s, Line line) {
-  return shade_line_integral(s, surface_line_integral(s, line));
+  return shade_line_integral(s, line, surface_line_integral(s, line));
 }
 
 FN Vec3 shade_line(Surface s, Line line) { return both_parts(shade_line_parts(s, line)); }

@@ -71,6 +71,11 @@ FN Real polygon_exactness(Vec3 center, Real radius, Lobe lobe) {
   return select(above, exact, Real(1.0));
 }
 
+/// EdgeSums.outline2 for what fades into the small form, which lies in one direction.
+FN Real small_outline2(EdgeSums sums, Real exact) {
+  return Real(1.0) + (sums.outline2 - Real(1.0)) * exact;
+}
+
 /// Points of a ring of four corners: the first stands at its end again.
 const int k_quad_points = 5;
 
@@ -109,6 +114,7 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
   EdgeSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
   sums.specular = sums.diffuse;
+  sums.outline2 = Real(1.0);
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   Mask lit = side != Real(0.0);
   if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
@@ -135,7 +141,7 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
         sums.specular + select(exact_specular < Real(1.0),
                                sum_small_polygon(small, lobe) * (Real(1.0) - exact_specular), none);
   }
-  return light_integral(sums.diffuse, sums.specular, lobe);
+  return light_integral(sums.diffuse, sums.specular, lobe, small_outline2(sums, exact_specular));
 }
 
 /// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
@@ -164,7 +170,7 @@ FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position,
                  select(exact_diffuse < Real(1.0), small_diffuse, none);
   sums.specular = sums.specular * (side * exact_specular) +
                   select(exact_specular < Real(1.0), small_specular, none);
-  return light_integral(sums.diffuse, sums.specular, lobe);
+  return light_integral(sums.diffuse, sums.specular, lobe, small_outline2(sums, exact_specular));
 }
 
 FN_CALL Heights polygon_heights(Polygon polygon, Vec3 position, Vec3 normal) {

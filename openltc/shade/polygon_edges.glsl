@@ -15,6 +15,7 @@ FN Real apex_side(Real normal_y, Real h) {
 struct EdgeSums {
   Vec3 diffuse;  // 2 pi times the vector irradiance of the clipped polygon in shading space
   Vec3 specular; // the same in cosine space
+  Real outline2; // square of the mean of the unit vectors to its corners, cosine space
 };
 
 /// A corner of an outline as a point sees it.
@@ -58,6 +59,9 @@ FN Vec3 whole_specular_term(Corner a, Corner b) {
   return edge_term_scaled(a.o, b.o, b.o - a.o, a.inv_o, b.inv_o);
 }
 
+/// Square of the length of a mean, from the sum and the number of its parts.
+FN Real mean_length2(Vec3 sum, Real count) { return dot(sum, sum) / max(count * count, Real(1.0)); }
+
 /// The edge sums of a polygon at signed distance h along its normal. Positive z behind it, negative
 /// in front: there an outline that is counter-clockwise about the normal runs clockwise about
 /// directions from the surface.
@@ -66,6 +70,8 @@ FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Re
   EdgeSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
   sums.specular = sums.diffuse;
+  Vec3 outline = sums.diffuse;
+  Real corners = Real(0.0);
   Corner a = corner_seen(polygon, 0, position, frame, lobe);
   int count = polygon_point_count(polygon);
   for (int i = 1; i < count; ++i) {
@@ -73,9 +79,12 @@ FN EdgeSums sum_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Re
     if (!polygon_starts_ring(polygon, i)) {
       sums.diffuse = sums.diffuse + diffuse_term(a, b, s);
       sums.specular = sums.specular + specular_term(a, b, s);
+      outline = outline + b.o * b.inv_o;
+      corners = corners + Real(1.0);
     }
     a = b;
   }
+  sums.outline2 = mean_length2(outline, corners);
   return sums;
 }
 
@@ -105,6 +114,8 @@ FN_CALL EdgeSums sum_edges_in_front(Polygon polygon, Vec3 position, Frame frame,
   EdgeSums sums;
   sums.diffuse = none;
   sums.specular = none;
+  Vec3 outline = none;
+  Real corners = Real(0.0);
   Corner a = corner_seen(polygon, 0, position, frame, lobe);
   Corner q = a;
   Mask found = Real(1.0) < Real(0.0);
@@ -112,6 +123,8 @@ FN_CALL EdgeSums sum_edges_in_front(Polygon polygon, Vec3 position, Frame frame,
   for (int i = 1; i < count; ++i) {
     Corner b = corner_seen(polygon, i, position, frame, lobe);
     if (!polygon_starts_ring(polygon, i)) {
+      outline = outline + b.o * b.inv_o;
+      corners = corners + Real(1.0);
       Real a_height = dot(front, a.p);
       Real b_height = dot(front, b.p);
       Mask a_seen = a_height >= Real(0.0);
@@ -134,6 +147,7 @@ FN_CALL EdgeSums sum_edges_in_front(Polygon polygon, Vec3 position, Frame frame,
     }
     a = b;
   }
+  sums.outline2 = mean_length2(outline, corners);
   return sums;
 }
 
@@ -172,6 +186,7 @@ FN EdgeSums sum_clipped_quad(Corner a, Corner b, Corner c, Corner d, Real s, Rea
   EdgeSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
   sums.specular = sums.diffuse;
+  sums.outline2 = Real(0.0);
   Real turn_cos = Real(1.0);
   Real turn_sin = Real(0.0);
   bool turns = false;
@@ -207,8 +222,11 @@ FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lob
   Corner d = corner_seen(polygon, 3, position, frame, lobe);
   Real lowest = min(min(least_height(a), least_height(b)), min(least_height(c), least_height(d)));
   EdgeSums sums;
+  Real outline2 =
+      mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o, Real(4.0));
   // Uniform shortcut: no lane has anything to clip.
   if (all_lanes(lowest >= Real(0.0))) {
+    sums.outline2 = outline2;
     sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) + whole_diffuse_term(c, d) +
                    whole_diffuse_term(d, a);
     sums.specular = whole_specular_term(a, b) + whole_specular_term(b, c) +
@@ -225,5 +243,6 @@ FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lob
     sums.specular = specular_term(a, b, s) + specular_term(b, c, s) + specular_term(c, d, s) +
                     specular_term(d, a, s);
   }
+  sums.outline2 = outline2;
   return sums;
 }

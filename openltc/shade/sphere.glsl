@@ -33,7 +33,7 @@ FN LightIntegral integrate_sphere_part(Sphere sphere, Vec3 position, Frame frame
   // Below the horizon it gives nothing, rounding or not.
   Mask seen = distance2 > sphere.radius * sphere.radius && center.z + sphere.radius > Real(0.0);
   Real outside = select(seen, Real(1.0), Real(0.0));
-  return light_integral(sums.diffuse * outside, sums.specular * outside, lobe);
+  return light_integral(sums.diffuse * outside, sums.specular * outside, lobe, sums.outline2);
 }
 
 /// Integrals over a sphere seen from `position` (world space), for Lambert and for `lobe`. Zero

@@ -30,6 +30,9 @@ struct Surface {
   Real inv_share;   // 1 / share_above_horizon
   Vec3 geometric; // of the triangle, unit, world space, on the viewer's side; make_surface assumes
                   // the shading normal
+  Real max_ratio; // most that this may multiply a light by
+  bool
+      corrected; // whether lights take the BRDF's own value in their mean direction, see blended_ratio
   bool tilted; // whether the two differ in any lane: then what lies behind the triangle's plane is
                // hidden by it
 };
@@ -61,6 +64,15 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
   s.diffuse = albedo * max(Real(1.0) - taken, Real(0.0));
   s.geometric = normal;
   s.tilted = false;
+  s.corrected = false;
+  s.max_ratio = Real(1.0);
+  return s;
+}
+
+/// Asks for the ratio at the mean direction: see blended_ratio.
+FN Surface correct_at_mean(Surface s) {
+  s.corrected = true;
+  s.max_ratio = Real(k_max_ratio);
   return s;
 }
 
@@ -106,7 +118,18 @@ FN LightIntegral unless_hidden(Surface s, Heights heights, LightIntegral integra
   return integral;
 }
 
+/// A part of the hemisphere reflects no more than the whole, s.specular.
+FN Vec3 within_albedo(Surface s, Vec3 part) {
+  return Vec3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
+}
+
 FN Vec3 front_shading(Surface s) { return to_shading(s.frame, s.geometric); }
+
+/// The share `filled` of n1 with this weight of F90 over F0, within the albedo.
+FN Vec3 reflectance_of_weight(Surface s, Real weight, Real filled) {
+  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, Real(0.0)), Real(1.0));
+  return within_albedo(s, fresnel * (s.fitted.n1 * filled));
+}
 
 /// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
 /// from around wi.
@@ -116,12 +139,36 @@ FN Vec3 front_shading(Surface s) { return to_shading(s.frame, s.geometric); }
 /// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus what the
 /// whole lobe has beyond its mean direction in proportion to the share: exact for a small light,
 /// w(wi), and for one that fills the hemisphere, n5/n1.
+///
+/// `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
+FN Vec3 reflectance_of_part(Surface s, Vec3 wi, Real share, Real filled) {
+  return reflectance_of_weight(s, fresnel_weight(s.wo, wi) + share * s.axis_weight, filled);
+}
+
 FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
-  Real weight = fresnel_weight(s.wo, wi) + share * s.axis_weight;
-  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, Real(0.0)), Real(1.0));
-  // A part of the hemisphere reflects no more than the whole, s.specular.
-  Vec3 part = fresnel * (s.fitted.n1 * share);
-  return Vec3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
+  return reflectance_of_part(s, wi, share, share);
+}
+
+/// What the specular part of a light is multiplied by so that a small one is exact: near its mean
+/// direction wi the BRDF is larger than the lobe by
+///   r = rho / (n1 D),  rho = D V cos of GGX, D the lobe's density above the horizon.
+/// A light that fills the whole lobe has n1 whatever its shape, so 1 is right for that. Between the two,
+/// with w the light's concentration times what it leaves of the lobe,
+///   1 - w (1 - min(r, 1/r)),   or one over that where r > 1:
+/// as much up as down, smooth at r = 1, within r and 1 and within 1 - w and 1 / (1 - w), so that a quotient
+/// of two small numbers does no harm where a light is large. Two halves of a quad differ from the whole
+/// by 1 in 100 of it, and a furnace is kept within 1.5: see docs/method.md.
+FN Real blended_ratio(Surface s, Vec3 wi, Real w) {
+  Real lobe = s.fitted.n1 * s.inv_share * eval_lobe(s.fitted.lobe, wi);
+  Real rho = min(eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
+  Real larger = max(max(rho, lobe), Real(k_tiny));
+  Real ratio = Real(1.0) - w * (Real(1.0) - min(rho, lobe) / larger);
+  return select(rho > lobe, Real(1.0) / max(ratio, Real(0.5 / k_max_ratio)), ratio);
+}
+
+/// The weight of the BRDF in that: of a light that fills `share` of the lobe.
+FN Real ratio_weight(LightIntegral integral, Real share) {
+  return integral.concentration * max(Real(1.0) - share, Real(0.0));
 }
 
 /// Reflected light of a light of radiance 1.
@@ -137,16 +184,12 @@ FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
   Real share = min(integral.specular * s.inv_share, Real(1.0));
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
-  shaded.specular = specular_reflectance(s, integral.specular_direction, share);
-  return shaded;
-}
-
-/// The same of a light of no width, whose integral is per metre of it and has no upper bound.
-FN ShadedLight shade_line_integral(Surface s, LightIntegral integral) {
-  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, integral.specular_direction);
-  ShadedLight shaded;
-  shaded.diffuse = s.diffuse * integral.diffuse;
-  shaded.specular = fresnel * (s.fitted.n1 * s.inv_share * integral.specular);
+  Real filled = share;
+  if (s.corrected) {
+    Real w = ratio_weight(integral, share);
+    filled = min(share * blended_ratio(s, integral.specular_direction, w), Real(1.0));
+  }
+  shaded.specular = reflectance_of_part(s, integral.specular_direction, share, filled);
   return shaded;
 }
 

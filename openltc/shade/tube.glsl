@@ -193,6 +193,18 @@ FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe, Vec3 front, b
   return select(whole, all, clipped);
 }
 
+/// light_concentration's outline2 of a tube, whose length segment_ratio sees to: of the two points that
+/// are across from each other where it is nearest.
+FN Real tube_outline2(Tube tube, TubeView view, Lobe lobe) {
+  Vec3 a = to_cosine(lobe, view.from);
+  Vec3 d = to_cosine(lobe, view.to) - a;
+  Real t = min(max(-dot(a, d) / max(dot(d, d), Real(k_tiny)), Real(0.0)), Real(1.0));
+  Vec3 nearest = a + d * t;
+  Vec3 across = to_cosine(lobe, view.v) * tube.radius;
+  Real distance2 = dot(nearest, nearest);
+  return distance2 / max(distance2 + dot(across, across), Real(k_tiny));
+}
+
 /// Angular radius below which a tube is its strip and ends alone, and 1 over how much more it takes to be
 /// its outline alone, 0.008; and the same where a plane cuts it, 0.001.
 CONSTANT k_wholly_thin = 0.004;
@@ -266,7 +278,8 @@ FN LightIntegral integrate_tube_part(Tube tube, Vec3 position, Frame frame, Lobe
                                     sqrt(max(Real(1.0) - view.axis.z * view.axis.z, Real(0.0))));
   Real seen = select(max(view.from.z, view.to.z) + reach > Real(0.0), Real(1.0), Real(0.0));
   return light_integral(sum_tube(tube, view, cosine_lobe(), front, heights, cut) * seen,
-                        sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe);
+                        sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
+                        tube_outline2(tube, view, lobe));
 }
 
 /// Integrals over a tube seen from `position` (world space), for Lambert and for `lobe`. Zero
@@ -292,9 +305,38 @@ FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
   return integral;
 }
 
+/// An end of a tube's axis, shading space, lifted to the middle of what stands out of the surface there.
+FN Vec3 lifted_end(Surface s, Tube tube, Vec3 end) {
+  Vec3 p = to_shading(s.frame, end - s.position);
+  p.z = p.z + Real(0.5) * max(tube.radius - p.z, Real(0.0));
+  return p;
+}
+
+/// Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
+/// mean along it.
+FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral) {
+  if (!s.corrected) {
+    return shade_integral(s, integral);
+  }
+  Real share = min(integral.specular * s.inv_share, Real(1.0));
+  Real w = ratio_weight(integral, share);
+  SegmentRatio ratio =
+      segment_ratio(s, lifted_end(s, tube, tube.from), lifted_end(s, tube, tube.to), w);
+  // The thicker the tube, the less its axis tells of the direction that its light comes from.
+  Mask along = ratio.scale > Real(0.0);
+  Real direct = fresnel_weight(s.wo, integral.specular_direction);
+  Real mean = direct + (ratio.bias / max(ratio.scale, Real(k_tiny)) - direct) * w;
+  Real weight = select(along, mean, direct) + share * s.axis_weight;
+  Real filled = min(share * select(along, ratio.scale, Real(1.0)), Real(1.0));
+  ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = reflectance_of_weight(s, weight, filled);
+  return shaded;
+}
+
 /// Light that a surface reflects of a tube of radiance 1, without shadow.
 FN ShadedLight shade_tube_parts(Surface s, Tube tube) {
-  return shade_integral(s, surface_tube_integral(s, tube));
+  return shade_tube_integral(s, tube, surface_tube_integral(s, tube));
 }
 
 FN Vec3 shade_tube(Surface s, Tube tube) { return both_parts(shade_tube_parts(s, tube)); }

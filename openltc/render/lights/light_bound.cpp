@@ -236,7 +236,9 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
   // or a light wrongly has there is that, beside what the horizon would cut.
   const bool cut = cos_surface.lower <= 0 || behind_some;
   const float hidden = behind_some ? tilt : 0.0f;
-  const bool far_specular = far_diffuse && !cut;
+  // The far form knows nothing of the ratio to the BRDF, which turns with the direction.
+  const float ratio = batch.upper[k_bound_ratio];
+  const bool far_specular = far_diffuse && !cut && ratio == 1.0f;
   const float inv_near = reach.inv_nearest, inv_near3 = inv_near * inv_near2;
   const float inv_near4 = inv_near2 * inv_near2, inv_near5 = inv_near4 * inv_near;
   const float inv_o2 = 1 / std::max(lobe.least_length2, 1.0e-8f);
@@ -258,7 +260,7 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
                           std::min(flux * cos_surface.upper * (1 / k_pi), radiance);
     const float grazing = std::max(batch.upper[k_bound_grazing + c], 0.0f);
     const float fresnel = std::max(batch.upper[k_bound_specular + c] + grazing * weight, 0.0f);
-    const float lobe_light = std::min(flux * density, radiance);
+    const float lobe_light = std::min(flux * density * ratio, radiance);
     all = std::max(all, diffuse + fresnel * lobe_light);
     specular_left_out = std::max(specular_left_out, fresnel * lobe_light);
     if (!far_diffuse) return;
