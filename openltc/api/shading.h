@@ -16,11 +16,18 @@
 
 namespace openltc {
 
+/// \addtogroup closed_form
+///
+/// Reflected radiance, from a light of radiance 1, by parts. Finite and not negative, whatever
+/// comes in. Each part is within what the same light from all directions would give; of a line,
+/// whose light is per metre of its width, there is no bound.
+/// @{
+
 /// Reflected light by what reflects it, per linear Rec.709 channel: in the unit of the light's
 /// radiance.
 struct ShadedParts {
-  Vec3f diffuse{0, 0, 0};
-  Vec3f specular{0, 0, 0};
+  Vec3f diffuse{0, 0, 0};  ///< by the Lambertian part of the material
+  Vec3f specular{0, 0, 0}; ///< by its microfacets
 };
 
 namespace detail {
@@ -30,10 +37,6 @@ inline ShadedParts parts_of(const f32::ShadedLight& shaded) {
 }
 
 } // namespace detail
-
-// Reflected radiance, from a light of radiance 1, by parts. Finite and not negative, whatever comes
-// in. Each part is within what the same light from all directions would give; of a line, whose
-// light is per metre of its width, there is no bound.
 
 /// Of a polygon: nothing behind a one-sided one, or in the plane of any.
 inline ShadedParts shade_parts(const Surface& surface, const Polygon& light) {
@@ -73,5 +76,7 @@ inline Vec3f shade(const Surface& surface, const Light& light, Vec3f radiance = 
   const ShadedParts parts = shade_parts(surface, light);
   return detail::finite_light((parts.diffuse + parts.specular) * radiance);
 }
+
+/// @}
 
 } // namespace openltc
