@@ -68,8 +68,11 @@ inline PointSeen see_point(const f32::Surface& s, Vec3f position, float range) {
 } // namespace detail
 
 /// \addtogroup closed_form
+/// @{
+
+/// \name Parts, of lights without an extent
 ///
-/// Of lights without an extent, parts are for the intensity that they have: nits where intensities
+/// Reflected radiance of a light, by parts, for the intensity that it has: nits where intensities
 /// are candela and illuminances lux. A light whose place or direction is not finite, or has no
 /// length, lights nothing.
 /// @{
@@ -102,6 +105,7 @@ inline ShadedParts shade_parts(const Surface& surface, const DirectionalLight& l
                         light.illuminance);
 }
 
+/// @}
 /// @}
 
 } // namespace openltc

@@ -17,10 +17,6 @@
 namespace openltc {
 
 /// \addtogroup closed_form
-///
-/// Reflected radiance, from a light of radiance 1, by parts. Finite and not negative, whatever
-/// comes in. Each part is within what the same light from all directions would give; of a line,
-/// whose light is per metre of its width, there is no bound.
 /// @{
 
 /// Reflected light by what reflects it, per linear Rec.709 channel: in the unit of the light's
@@ -37,6 +33,13 @@ inline ShadedParts parts_of(const f32::ShadedLight& shaded) {
 }
 
 } // namespace detail
+
+/// \name Parts, of lights with an extent
+///
+/// Reflected radiance, from a light of radiance 1, by parts. Finite and not negative, whatever
+/// comes in. Each part is within what the same light from all directions would give; of a line,
+/// whose light is per metre of its width, there is no bound.
+/// @{
 
 /// Of a polygon: nothing behind a one-sided one, or in the plane of any.
 inline ShadedParts shade_parts(const Surface& surface, const Polygon& light) {
@@ -67,6 +70,8 @@ inline ShadedParts shade_parts(const Surface& surface, const Line& light) {
   if (!surface.usable || !detail::is_usable(light)) return {};
   return detail::parts_of(f32::shade_line_parts(surface.point, detail::dialect_of(light)));
 }
+
+/// @}
 
 /// Reflected radiance: of a Polygon, Ellipse, Sphere or Tube with that radiance, nits as a rule,
 /// per linear Rec.709 channel; of a Line with that many cd/m; of a light of punctual_lights.h,

@@ -105,9 +105,12 @@ inline void set_position_error(Surface& surface, float metres) {
 /// @}
 
 /// \addtogroup sampling
+/// @{
+
+/// \name The BRDF itself
 ///
-/// The BRDF itself, times the cosine at the surface, is what a path tracer, or a reference,
-/// integrates. `wi` leads from the surface to the light, world space, any length that is not 0.
+/// Times the cosine at the surface: what a path tracer, or a reference, integrates. `wi` leads from
+/// the surface to the light, world space, any length that is not 0.
 /// @{
 
 namespace detail {
@@ -164,6 +167,7 @@ inline DirectionSample sample_surface(const Surface& surface, Vec2f u) {
   return sample;
 }
 
+/// @}
 /// @}
 
 } // namespace openltc
