@@ -13,25 +13,25 @@
 // from. f_s cos_i is therefore n1 F times the lobe divided by its share above the horizon: what
 // light from all sides reflects is n1 F, the albedo, and nothing leaks.
 
+/// A point of a surface, ready to be shaded by any light.
 struct Surface {
-  Vec3 position; // world space
-  Real
-      position_error2; // square of the metres within which it is known; make_surface assumes single
-                       // precision
-  Frame frame;
-  Vec3 wo; // shading space: (sin theta, 0, cos theta)
-  Real alpha;
-  Vec3 diffuse; // k_d c, albedo of the Lambertian part
-  Vec3 f0;
-  Vec3 f90;
-  FittedLobe fitted;
-  Vec3 specular;    // F0 n1 + (F90 - F0) n5, the specular albedo
-  Real axis_weight; // n5/n1 less Schlick's weight in the lobe's mean direction
-  Real inv_share;   // 1 / share_above_horizon
-  Vec3 geometric; // of the triangle, unit, world space, on the viewer's side; make_surface assumes
-                  // the shading normal
-  bool tilted; // whether the two differ in any lane: then what lies behind the triangle's plane is
-               // hidden by it
+  Vec3 position; ///< world space
+  /// Square of the metres within which it is known; make_surface assumes single precision.
+  Real position_error2;
+  Frame frame;       ///< shading space
+  Vec3 wo;           ///< shading space: (sin theta, 0, cos theta)
+  Real alpha;        ///< microfacet width, roughness^2
+  Vec3 diffuse;      ///< k_d c, albedo of the Lambertian part
+  Vec3 f0;           ///< specular reflectance at normal incidence
+  Vec3 f90;          ///< and at grazing incidence
+  FittedLobe fitted; ///< the lobe for this roughness and view
+  Vec3 specular;     ///< F0 n1 + (F90 - F0) n5, the specular albedo
+  Real axis_weight;  ///< n5/n1 less Schlick's weight in the lobe's mean direction
+  Real inv_share;    ///< 1 / share_above_horizon
+  /// Of the triangle, unit, world space, on the viewer's side; make_surface assumes the shading normal.
+  Vec3 geometric;
+  /// Whether the two differ in any lane: then what lies behind the triangle's plane is hidden by it.
+  bool tilted;
 };
 
 /// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
@@ -106,6 +106,7 @@ FN LightIntegral unless_hidden(Surface s, Heights heights, LightIntegral integra
   return integral;
 }
 
+/// The normal of the triangle in shading space.
 FN Vec3 front_shading(Surface s) { return to_shading(s.frame, s.geometric); }
 
 /// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
@@ -126,10 +127,11 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
 
 /// Reflected light of a light of radiance 1.
 struct ShadedLight {
-  Vec3 diffuse;
-  Vec3 specular;
+  Vec3 diffuse;  ///< by the Lambertian part
+  Vec3 specular; ///< by the lobe
 };
 
+/// Their sum.
 FN Vec3 both_parts(ShadedLight shaded) { return shaded.diffuse + shaded.specular; }
 
 /// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
