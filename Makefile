@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package figures test bench format format-check sanitize fuzz fuzz-lights cross clean
+.PHONY: help setup build build-all build-checked demo lights package figures reference test bench format format-check sanitize fuzz fuzz-lights cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -49,6 +49,9 @@ package: build ## Make a .deb and a .tar.gz of the tool: out
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh
+
+reference: setup ## Make the reference pages of the public headers: out/reference/html
+	@tools/reference/make_reference.py
 
 test: build-all build-checked ## Run all tests, those that are quick with assertions too
 	@tools/test.sh release checked

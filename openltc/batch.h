@@ -30,31 +30,39 @@
 
 namespace openltc {
 
+/// \addtogroup batch
+/// @{
+
 /// A set of lights, each packed once, when it is added. Constant, it may be shared by threads.
 class BatchLights {
 public:
+  /// No lights: all points are black.
   BatchLights();
   ~BatchLights();
+  /// Takes the lights of another set, which may be used again.
   BatchLights(BatchLights&& other) noexcept;
+  /// The same.
   BatchLights& operator=(BatchLights&& other) noexcept;
 
   /// Adds a light of that radiance, in nits as a rule, per linear Rec.709 channel; of a line, cd/m.
   /// False, and nothing added, where it cannot be shaded: see the shapes; or where a channel is
   /// negative, not finite or above 1e20.
   bool add(const Polygon& light, Vec3f radiance);
-  bool add(const Ellipse& light, Vec3f radiance);
-  bool add(const Sphere& light, Vec3f radiance);
-  bool add(const Tube& light, Vec3f radiance);
+  bool add(const Ellipse& light, Vec3f radiance); ///< the same
+  bool add(const Sphere& light, Vec3f radiance);  ///< the same
+  bool add(const Tube& light, Vec3f radiance);    ///< the same
+  /// The same in cd/m.
   bool add(const Line& light, Vec3f intensity_per_metre);
-  /// Lights without extent have an intensity of their own.
+  /// Lights without extent have an intensity of their own. False where they light nothing.
   bool add(const PointLight& light);
-  bool add(const SpotLight& light);
-  bool add(const DirectionalLight& light);
+  bool add(const SpotLight& light);        ///< the same
+  bool add(const DirectionalLight& light); ///< the same
 
   std::size_t size() const; ///< lights that were added
-  void clear();
+  void clear();             ///< leaves no light
 
   struct Packed; ///< the library's own
+  /// What the kernel reads.
   const Packed& packed() const { return *packed_; }
 
 private:
@@ -64,7 +72,7 @@ private:
 /// Points of surfaces, one array of `count` floats per number. `position`, `normal` and `view` must
 /// be there; of the others a null pointer stands for what is said.
 struct PointBatch {
-  std::size_t count = 0;
+  std::size_t count = 0;         ///< points, and floats in each array
   const float* position[3] = {}; ///< x y z
   const float* normal[3] = {};   ///< of shading, on the viewer's side; of any length but 0
   const float* view[3] = {};     ///< from the surface to the eye; of any length but 0
@@ -72,15 +80,16 @@ struct PointBatch {
   const float* geometric_normal[3] = {};
   const float* position_error = nullptr; ///< metres, see set_position_error; null: rounding
 
-  Material material; ///< of all points, but for the arrays of these:
-  const float* base_color[3] = {};
-  const float* metallic = nullptr;
-  const float* roughness = nullptr;
-  const float* specular = nullptr;
-  const float* specular_color[3] = {};
-  const float* ior = nullptr;
+  Material material;                   ///< of all points, but for the arrays of these:
+  const float* base_color[3] = {};     ///< r g b, see Material; null: that of `material`
+  const float* metallic = nullptr;     ///< see Material; null: that of `material`
+  const float* roughness = nullptr;    ///< see Material; null: that of `material`
+  const float* specular = nullptr;     ///< see Material; null: that of `material`
+  const float* specular_color[3] = {}; ///< r g b, see Material; null: that of `material`
+  const float* ior = nullptr;          ///< see Material; null: that of `material`
 };
 
+/// How a batch is shaded.
 struct BatchOptions {
   int threads = 0;             ///< at most; 0 = all cores
   const char* kernel = "auto"; ///< or one of "scalar", "sse4", "avx2", "avx512", "neon"
@@ -98,5 +107,7 @@ const char* shade_batch(const PointBatch& points, const BatchLights& lights, con
 
 /// Name of the kernel that "auto" takes on this machine.
 const char* batch_kernel();
+
+/// @}
 
 } // namespace openltc

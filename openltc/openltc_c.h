@@ -33,6 +33,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/// \addtogroup c_api
+/// @{
+
+/// Before what the shared library exports.
 #ifdef __GNUC__
 #define OPENLTC_EXPORT __attribute__((visibility("default")))
 #else
@@ -43,8 +47,8 @@
 extern "C" {
 #endif
 
-// The version of this header, and, by openltc_version(), that of the library that runs: before 1.0
-// they must be the same.
+/// The version of this header, and, by openltc_version(), that of the library that runs: before 1.0
+/// they must be the same.
 #define OPENLTC_C_VERSION "0.1.0"
 
 /// "major.minor.patch", for as long as the program lives.
@@ -52,23 +56,25 @@ OPENLTC_EXPORT const char* openltc_version(void);
 
 /// Whether a function did what it is for. 32 bits in every language.
 typedef int32_t openltc_status;
+/// Values of openltc_status.
 enum {
-  OPENLTC_OK = 0,
+  OPENLTC_OK = 0,               ///< it did
   OPENLTC_INVALID_ARGUMENT = 1, ///< null, NaN, out of range; a light that is none
   OPENLTC_BUFFER_TOO_SMALL = 2, ///< and the function says how much it takes
   OPENLTC_UNKNOWN_NAME = 3,     ///< of a BRDF or an objective; the error lists those there are
   OPENLTC_FIT_FAILED = 4,       ///< the BRDF is NaN, negative or without energy somewhere, or alike
   OPENLTC_CANCELLED = 5,        ///< a progress callback asked to stop
   OPENLTC_FILE_ERROR = 6,       ///< a file cannot be read, or is not what it should be
-  OPENLTC_OUT_OF_MEMORY = 7,
-  OPENLTC_INTERNAL_ERROR = 8 ///< a fault of the library
+  OPENLTC_OUT_OF_MEMORY = 7,    ///< there is not enough memory
+  OPENLTC_INTERNAL_ERROR = 8    ///< a fault of the library
 };
 
 /// What went wrong with the last call of this thread that failed: one line, UTF-8; "" before any.
 /// Calls that succeed leave it alone. Valid until the thread's next call that fails.
 OPENLTC_EXPORT const char* openltc_last_error(void);
 
-// --- Lobes: the fitted BRDF ----------------------------------------------------------------------
+/// \name Lobes: the fitted BRDF
+/// @{
 
 /// Forms of lobes over roughness and view angle.
 enum {
@@ -96,24 +102,30 @@ OPENLTC_EXPORT openltc_status openltc_lobes_create_table(const float* texels, si
 OPENLTC_EXPORT openltc_status openltc_lobes_create_polynomial(const float* terms, size_t degree,
                                                               openltc_lobes** lobes);
 
-/// Null is fine.
+/// Ends lobes. Null is fine.
 OPENLTC_EXPORT void openltc_lobes_destroy(openltc_lobes* lobes);
 
-// --- Lights --------------------------------------------------------------------------------------
+/// @}
+
+/// \name Lights
+///
+/// Each openltc_lights_add_... adds a light at the end, or refuses it and says why. Vectors are
+/// `const float[3]`; `radiance` is the same in every direction, finite and not negative.
+/// Coordinates lie within 4e8 m, radii, semi-axes and lengths between 1e-12 and 1e8 m. `two_sided`
+/// is 0 or 1: whether a flat light emits against its normal too.
+/// @{
 
 /// A list of lights of any shape, in the order in which they were added.
 typedef struct openltc_lights openltc_lights;
 
+/// An empty list, which openltc_lights_destroy ends.
 OPENLTC_EXPORT openltc_status openltc_lights_create(openltc_lights** lights);
-OPENLTC_EXPORT void openltc_lights_destroy(openltc_lights* lights);       ///< null is fine
-OPENLTC_EXPORT size_t openltc_lights_count(const openltc_lights* lights); ///< 0 for null
+/// Ends a list and its lights. Null is fine.
+OPENLTC_EXPORT void openltc_lights_destroy(openltc_lights* lights);
+/// How many lights there are; 0 for null.
+OPENLTC_EXPORT size_t openltc_lights_count(const openltc_lights* lights);
 /// Leaves no light.
 OPENLTC_EXPORT openltc_status openltc_lights_clear(openltc_lights* lights);
-
-// Each adds a light at the end, or refuses it and says why. Vectors are `const float[3]`;
-// `radiance` is the same in every direction, finite and not negative. Coordinates lie within 4e8 m,
-// radii, semi-axes and lengths between 1e-12 and 1e8 m. `two_sided` is 0 or 1: whether a flat light
-// emits against its normal too.
 
 /// A rectangle, or parallelogram, around `center`: half_u and half_v lead from there to the middles
 /// of two neighbouring sides. Emits along half_u x half_v.
@@ -148,6 +160,7 @@ OPENLTC_EXPORT openltc_status openltc_lights_add_disk(openltc_lights* lights, co
 OPENLTC_EXPORT openltc_status openltc_lights_add_sphere(openltc_lights* lights, const float* center,
                                                         float radius, const float* radiance);
 
+/// What closes the ends of a tube.
 enum {
   OPENLTC_CAPS_NONE = 0, ///< an open tube: the lateral surface alone
   OPENLTC_CAPS_FLAT = 1, ///< a solid cylinder
@@ -183,17 +196,20 @@ OPENLTC_EXPORT openltc_status openltc_lights_add_directional(openltc_lights* lig
                                                              const float* direction,
                                                              const float* illuminance);
 
-// --- Points --------------------------------------------------------------------------------------
+/// @}
+
+/// \name Points
+/// @{
 
 /// A material at a point, that of glTF 2.0 with KHR_materials_specular and KHR_materials_ior:
 /// 10 floats. Values outside of their range are clamped, NaN counts as 0.
 typedef struct openltc_material {
-  float base_color[3]; ///< linear Rec.709, 0..1
-  float metallic;      ///< 0..1
-  float roughness;     ///< perceptual, 0..1; alpha = roughness^2
-  float specular;      ///< strength of a dielectric's reflection, 0..1
-  float specular_color[3];
-  float ior; ///< >= 1, or 0, which reflects all
+  float base_color[3];     ///< linear Rec.709, 0..1
+  float metallic;          ///< 0..1
+  float roughness;         ///< perceptual, 0..1; alpha = roughness^2
+  float specular;          ///< strength of a dielectric's reflection, 0..1
+  float specular_color[3]; ///< and its tint at normal incidence; above 1 is possible
+  float ior;               ///< >= 1, or 0, which reflects all
 } openltc_material;
 
 /// White, rough, dielectric of index 1.5. All zero, as C leaves it, would be black.
@@ -206,29 +222,29 @@ OPENLTC_EXPORT openltc_material openltc_material_default(void);
 /// for 12, one vector after the other; OPENLTC_SAME for one that all have. So an array of structs
 /// serves as well as separate arrays. No alignment is asked for.
 typedef struct openltc_vectors {
-  const float* data;
-  size_t stride;
+  const float* data; ///< of the first point
+  size_t stride;     ///< bytes from one point to the next; 0 = 12, or OPENLTC_SAME
 } openltc_vectors;
 
 /// A number for each point: the same; stride 0 stands for 4.
 typedef struct openltc_numbers {
-  const float* data;
-  size_t stride;
+  const float* data; ///< of the first point
+  size_t stride;     ///< bytes from one point to the next; 0 = 4, or OPENLTC_SAME
 } openltc_numbers;
 
 /// A material for each point: the same; stride 0 stands for 40.
 typedef struct openltc_materials {
-  const openltc_material* data;
-  size_t stride;
+  const openltc_material* data; ///< of the first point
+  size_t stride;                ///< bytes from one point to the next; 0 = 40, or OPENLTC_SAME
 } openltc_materials;
 
 /// Points of surfaces, each seen from somewhere. Refers to arrays of the caller.
 typedef struct openltc_points {
-  size_t count;
-  openltc_vectors positions;
-  openltc_vectors normals; ///< of shading, on the viewer's side unless there are geometric ones
-  openltc_vectors views;   ///< from the point to the eye
-  openltc_materials materials;
+  size_t count;                ///< points
+  openltc_vectors positions;   ///< world space, metres
+  openltc_vectors normals;     ///< of shading, on the viewer's side unless there are geometric ones
+  openltc_vectors views;       ///< from the point to the eye
+  openltc_materials materials; ///< what the surfaces are of
   /// Null, or normals of the triangles, either side: they tell the side that is seen, and hide what
   /// lies behind the triangle.
   openltc_vectors geometric_normals;
@@ -237,7 +253,10 @@ typedef struct openltc_points {
   openltc_numbers position_errors;
 } openltc_points;
 
-// --- Light without noise or shadow ---------------------------------------------------------------
+/// @}
+
+/// \name Light without noise or shadow
+/// @{
 
 /// Radiance that each point reflects to its viewer, of all lights together, in closed form and in
 /// SIMD lanes: the widest that the machine has.
@@ -257,7 +276,10 @@ OPENLTC_EXPORT openltc_status openltc_shade_parts(const openltc_lobes* lobes,
                                                   const openltc_points* points, int32_t threads,
                                                   float* diffuse, float* specular);
 
-// --- Samples: shadows, and a reference -----------------------------------------------------------
+/// @}
+
+/// \name Samples: shadows, and a reference
+/// @{
 
 /// A point of a light, drawn or met from a point of a surface.
 typedef struct openltc_light_sample {
@@ -312,7 +334,10 @@ OPENLTC_EXPORT openltc_status openltc_eval_surface(const openltc_lobes* lobes,
                                                    const float* directions, float* values,
                                                    float* pdfs);
 
-// --- The fitter ----------------------------------------------------------------------------------
+/// @}
+
+/// \name The fitter
+/// @{
 
 /// Number of BRDFs that are known by name.
 OPENLTC_EXPORT size_t openltc_brdf_count(void);
@@ -339,8 +364,8 @@ enum {
 /// Whether the nodes of a table are fitted once more, all together.
 enum {
   OPENLTC_REFINE_AUTOMATIC = 0, ///< where it pays: up to 32 nodes per axis
-  OPENLTC_REFINE_ON = 1,
-  OPENLTC_REFINE_OFF = 2
+  OPENLTC_REFINE_ON = 1,        ///< yes
+  OPENLTC_REFINE_OFF = 2        ///< no
 };
 
 /// How lobes are fitted. All zero, or a null pointer to it: a table as the built-in one.
@@ -356,13 +381,15 @@ typedef struct openltc_fit_options {
 
 /// What was fitted.
 typedef struct openltc_fit_result {
-  size_t float_count;   ///< written; or, with OPENLTC_BUFFER_TOO_SMALL, needed
-  size_t columns, rows; ///< of a table; a BRDF without roughness has one column. Otherwise 0
-  size_t degree;        ///< of a polynomial; otherwise 0
-  int32_t width;        ///< OPENLTC_WIDTH_ALPHA or OPENLTC_WIDTH_ONE
-  /// Total variation between lobe and BRDF, 0..1, the mean and the largest of 40 x 40 points of
-  /// roughness .06 to 1 and view angles to 89.7 degrees: what the files of `openltc fit` state.
-  double mean_tv, max_tv;
+  size_t float_count; ///< written; or, with OPENLTC_BUFFER_TOO_SMALL, needed
+  size_t columns;     ///< of a table; a BRDF without roughness has one. Otherwise 0
+  size_t rows;        ///< of a table, otherwise 0
+  size_t degree;      ///< of a polynomial; otherwise 0
+  int32_t width;      ///< OPENLTC_WIDTH_ALPHA or OPENLTC_WIDTH_ONE
+  /// Total variation between lobe and BRDF, 0..1, the mean of 40 x 40 points of roughness 0.06 to 1
+  /// and view angles to 89.7 degrees: what the files of `openltc fit` state.
+  double mean_tv;
+  double max_tv; ///< and the largest
 } openltc_fit_result;
 
 /// The number of floats that a fit with these options writes at most; 0 where they are out of
@@ -385,6 +412,9 @@ OPENLTC_EXPORT openltc_status openltc_fit_function(openltc_brdf_function functio
                                                    const openltc_fit_options* options,
                                                    float* numbers, size_t capacity,
                                                    openltc_fit_result* result);
+
+/// @}
+/// @}
 
 #ifdef __cplusplus
 }

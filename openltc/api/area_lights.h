@@ -14,19 +14,24 @@
 
 namespace openltc {
 
+/// \addtogroup lights
+/// @{
+
 /// A flat ellipse; a disk when both semi-axes are equally long. Emits along half_u x half_v.
 struct Ellipse {
-  Vec3f center{0, 0, 0};
-  Vec3f half_u{1, 0, 0}, half_v{0, 1, 0}; ///< semi-axes, perpendicular within 1e-3; else no light
-  bool two_sided = false;
+  Vec3f center{0, 0, 0};  ///< world space, metres
+  Vec3f half_u{1, 0, 0};  ///< a semi-axis, world space, metres
+  Vec3f half_v{0, 1, 0};  ///< the other, perpendicular within 1e-3; else no light
+  bool two_sided = false; ///< whether it emits against its normal too
 };
 
 /// A sphere. Emits outwards; no light reaches points inside.
 struct Sphere {
-  Vec3f center{0, 0, 0};
-  float radius = 1;
+  Vec3f center{0, 0, 0}; ///< world space, metres
+  float radius = 1;      ///< metres
 };
 
+/// What closes the ends of a tube.
 enum class TubeCaps {
   none, ///< the lateral surface alone, which emits outwards
   flat, ///< a solid cylinder
@@ -35,15 +40,17 @@ enum class TubeCaps {
 
 /// A round tube along a straight axis. Emits outwards; no light reaches points inside.
 struct Tube {
-  Vec3f from{-0.5f, 0, 0}, to{0.5f, 0, 0}; ///< ends of the axis
-  float radius = 0.05f;
-  TubeCaps caps = TubeCaps::round;
+  Vec3f from{-0.5f, 0, 0};         ///< one end of the axis, world space, metres
+  Vec3f to{0.5f, 0, 0};            ///< the other end
+  float radius = 0.05f;            ///< metres
+  TubeCaps caps = TubeCaps::round; ///< what closes the ends
 };
 
 /// A tube too thin to have a width. What it emits is its intensity per metre across the axis, cd/m:
 /// the radiance of a thin tube times its diameter. It stands where others have a radiance.
 struct Line {
-  Vec3f from{-0.5f, 0, 0}, to{0.5f, 0, 0};
+  Vec3f from{-0.5f, 0, 0}; ///< one end, world space, metres
+  Vec3f to{0.5f, 0, 0};    ///< the other end
 };
 
 /// A disk around `center` of that radius, which emits along `normal`, of any length that is not 0.
@@ -86,5 +93,7 @@ inline f32::Tube dialect_of(const Tube& t) {
 inline f32::Line dialect_of(const Line& l) { return {l.from, l.to}; }
 
 } // namespace detail
+
+/// @}
 
 } // namespace openltc

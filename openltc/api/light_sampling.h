@@ -16,6 +16,9 @@
 
 namespace openltc {
 
+/// \addtogroup sampling
+/// @{
+
 /// A point of a light, seen from a surface.
 struct LightSample {
   bool valid = false; ///< false: no light from there reaches the surface; the sample counts as 0
@@ -125,5 +128,7 @@ template <class AreaLight>
 inline float pdf_light(const Surface& surface, const AreaLight& light, Vec3f direction) {
   return intersect_light(surface, light, direction).pdf;
 }
+
+/// @}
 
 } // namespace openltc

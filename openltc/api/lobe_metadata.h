@@ -7,6 +7,9 @@
 
 namespace openltc {
 
+/// \addtogroup surface
+/// @{
+
 /// How lobes were fitted, and how good they are: what a table file says about itself.
 struct LobeMetadata {
   const char* brdf;         ///< "ggx"
@@ -18,5 +21,7 @@ struct LobeMetadata {
   double mean_tv;           ///< mean total variation between lobe and BRDF, 0..1
   double max_tv;            ///< and its largest value
 };
+
+/// @}
 
 } // namespace openltc

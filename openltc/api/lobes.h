@@ -19,6 +19,9 @@
 
 namespace openltc {
 
+/// \addtogroup surface
+/// @{
+
 /// Lobes over roughness and view angle. A view: the arrays behind it outlive every surface that is
 /// made with it. Without any, surfaces are black.
 struct Lobes {
@@ -62,5 +65,7 @@ inline f32::FittedLobe find_lobe(const Lobes& lobes, float roughness, float cos_
 }
 
 } // namespace detail
+
+/// @}
 
 } // namespace openltc

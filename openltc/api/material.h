@@ -10,6 +10,9 @@
 
 namespace openltc {
 
+/// \addtogroup surface
+/// @{
+
 /// A material at one point: textures are looked up, and vertex colours multiplied in.
 ///
 /// Values outside of their range are clamped; what is not a number counts as 0.
@@ -60,5 +63,7 @@ inline Reflectance reflectance_of(const Material& m) {
   return mix_reflectance(m.base_color, m.metallic, m.roughness, m.specular,
                          m.specular_color * dielectric_f0(m.ior));
 }
+
+/// @}
 
 } // namespace openltc

@@ -17,6 +17,9 @@
 
 namespace openltc {
 
+/// \addtogroup lights
+/// @{
+
 /// A planar light bounded by one or more closed outlines. Owns its arrays; copies are independent.
 /// Made once, it is constant, and threads may share it.
 ///
@@ -56,11 +59,13 @@ public:
 
   /// Null, or what is wrong with the outline: a text that lives as long as the program.
   const char* error() const { return error_; }
-  bool usable() const { return error_ == nullptr; }
+  bool usable() const { return error_ == nullptr; } ///< whether there is no error
 
   float area() const { return packed_.area; } ///< square metres, of one side; 0 when not usable
+  /// Whether it emits against its normal too.
   bool two_sided() const { return packed_.view.two_sided; }
-  Vec3f normal() const { ///< unit, towards the emitting side
+  /// Unit, towards the emitting side; world space.
+  Vec3f normal() const {
     const float* n = packed_.view.normal;
     return {n[0], n[1], n[2]};
   }
@@ -122,5 +127,7 @@ private:
   PackedPolygon packed_;
   const char* error_ = "there is no outline";
 };
+
+/// @}
 
 } // namespace openltc

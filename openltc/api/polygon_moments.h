@@ -14,14 +14,19 @@
 
 namespace openltc {
 
+/// \addtogroup dialect
+/// @{
+
+/// Moments of a planar outline in coordinates of its plane, metres.
 struct PolygonMoments {
-  double area = 0; ///< signed, positive counter-clockwise
-  Vec2d centroid{0, 0};
+  double area = 0;      ///< signed, positive counter-clockwise
+  Vec2d centroid{0, 0}; ///< of the area
   /// sqrt(2) times the standard deviations of the area along its principal axes, as vectors: the
   /// mean of f over centroid +- spread_u and +- spread_v is that over the area for every cubic f
   /// whose mixed third moments vanish, and for all quadratic ones.
-  Vec2d spread_u{0, 0}, spread_v{0, 0};
-  double fourth = 0; ///< mean over the area of |p - centroid|^4
+  Vec2d spread_u{0, 0};
+  Vec2d spread_v{0, 0}; ///< that along the other principal axis
+  double fourth = 0;    ///< mean over the area of |p - centroid|^4
 };
 
 namespace detail {
@@ -80,5 +85,7 @@ PolygonMoments polygon_moments(const std::vector<Vec2d>& points, const StartsRin
   m.fourth = std::max(fourth / m.area, 0.0);
   return m;
 }
+
+/// @}
 
 } // namespace openltc

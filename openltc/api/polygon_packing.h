@@ -24,6 +24,9 @@
 
 namespace openltc {
 
+/// \addtogroup dialect
+/// @{
+
 /// Owner of the arrays behind a PolygonView.
 struct PackedPolygon {
   std::vector<float> points;       ///< see PolygonView
@@ -35,14 +38,18 @@ struct PackedPolygon {
   double fourth_moment = 0;        ///< metres^4, see PolygonMoments::fourth
 
   PackedPolygon() = default;
+  /// Takes the arrays of another; the view stays right.
   PackedPolygon(PackedPolygon&&) = default;
+  /// The same.
   PackedPolygon& operator=(PackedPolygon&&) = default;
+  /// Copies the arrays, and has a view of the copies.
   PackedPolygon(const PackedPolygon& other)
       : points(other.points), in_plane(other.in_plane), triangles(other.triangles),
         triangle_cdf(other.triangle_cdf), view(other.view), area(other.area),
         fourth_moment(other.fourth_moment) {
     point_view();
   }
+  /// The same.
   PackedPolygon& operator=(const PackedPolygon& other) {
     if (this != &other) *this = PackedPolygon(other);
     return *this;
@@ -251,5 +258,7 @@ inline PackedPolygon pack_polygon(const std::vector<Vec3f>& vertices,
   detail::store3(packed.view.normal, normal);
   return packed;
 }
+
+/// @}
 
 } // namespace openltc

@@ -10,6 +10,9 @@
 
 namespace openltc {
 
+/// \addtogroup lights
+/// @{
+
 /// Shines the same in every direction.
 struct PointLight {
   Vec3f position{0, 0, 0};  ///< world space, metres
@@ -19,10 +22,10 @@ struct PointLight {
 
 /// Shines in a cone.
 struct SpotLight {
-  Vec3f position{0, 0, 0};
-  Vec3f direction{0, 0, -1}; ///< the way the light travels; any length that is not 0
-  Vec3f intensity{1, 1, 1};  ///< candela, along the axis
-  float range = 0;
+  Vec3f position{0, 0, 0};          ///< world space, metres
+  Vec3f direction{0, 0, -1};        ///< the way the light travels; any length that is not 0
+  Vec3f intensity{1, 1, 1};         ///< candela, along the axis
+  float range = 0;                  ///< metres from which it has faded to nothing; 0 = unlimited
   float inner_angle = 0;            ///< radians from the axis: full intensity within
   float outer_angle = 0.785398163f; ///< and none outside; not below inner_angle, up to pi/2
 };
@@ -32,6 +35,8 @@ struct DirectionalLight {
   Vec3f direction{0, 0, -1};  ///< the way the light travels; any length that is not 0
   Vec3f illuminance{1, 1, 1}; ///< lux, on a surface that faces it
 };
+
+/// @}
 
 namespace detail {
 
@@ -62,9 +67,15 @@ inline PointSeen see_point(const f32::Surface& s, Vec3f position, float range) {
 
 } // namespace detail
 
-// Reflected radiance of a light, by parts, for the intensity that it has: nits where intensities
-// are candela and illuminances lux. A light whose place or direction is not finite, or has no
-// length, lights nothing.
+/// \addtogroup closed_form
+/// @{
+
+/// \name Parts, of lights without an extent
+///
+/// Reflected radiance of a light, by parts, for the intensity that it has: nits where intensities
+/// are candela and illuminances lux. A light whose place or direction is not finite, or has no
+/// length, lights nothing.
+/// @{
 
 /// Of a point, by the inverse square of its distance and the window of its range.
 inline ShadedParts shade_parts(const Surface& surface, const PointLight& light) {
@@ -93,5 +104,8 @@ inline ShadedParts shade_parts(const Surface& surface, const DirectionalLight& l
   return detail::scaled(detail::parts_from(surface.point, -axis, axis * -1.0e6f),
                         light.illuminance);
 }
+
+/// @}
+/// @}
 
 } // namespace openltc

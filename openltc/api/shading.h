@@ -16,11 +16,14 @@
 
 namespace openltc {
 
+/// \addtogroup closed_form
+/// @{
+
 /// Reflected light by what reflects it, per linear Rec.709 channel: in the unit of the light's
 /// radiance.
 struct ShadedParts {
-  Vec3f diffuse{0, 0, 0};
-  Vec3f specular{0, 0, 0};
+  Vec3f diffuse{0, 0, 0};  ///< by the Lambertian part of the material
+  Vec3f specular{0, 0, 0}; ///< by its microfacets
 };
 
 namespace detail {
@@ -31,9 +34,12 @@ inline ShadedParts parts_of(const f32::ShadedLight& shaded) {
 
 } // namespace detail
 
-// Reflected radiance, from a light of radiance 1, by parts. Finite and not negative, whatever comes
-// in. Each part is within what the same light from all directions would give; of a line, whose
-// light is per metre of its width, there is no bound.
+/// \name Parts, of lights with an extent
+///
+/// Reflected radiance, from a light of radiance 1, by parts. Finite and not negative, whatever
+/// comes in. Each part is within what the same light from all directions would give; of a line,
+/// whose light is per metre of its width, there is no bound.
+/// @{
 
 /// Of a polygon: nothing behind a one-sided one, or in the plane of any.
 inline ShadedParts shade_parts(const Surface& surface, const Polygon& light) {
@@ -65,6 +71,8 @@ inline ShadedParts shade_parts(const Surface& surface, const Line& light) {
   return detail::parts_of(f32::shade_line_parts(surface.point, detail::dialect_of(light)));
 }
 
+/// @}
+
 /// Reflected radiance: of a Polygon, Ellipse, Sphere or Tube with that radiance, nits as a rule,
 /// per linear Rec.709 channel; of a Line with that many cd/m; of a light of punctual_lights.h,
 /// which has an intensity of its own, with 1.
@@ -73,5 +81,7 @@ inline Vec3f shade(const Surface& surface, const Light& light, Vec3f radiance = 
   const ShadedParts parts = shade_parts(surface, light);
   return detail::finite_light((parts.diffuse + parts.specular) * radiance);
 }
+
+/// @}
 
 } // namespace openltc

@@ -13,6 +13,9 @@
 
 namespace openltc {
 
+/// \addtogroup surface
+/// @{
+
 /// A point of a surface seen from a viewer. Made by make_surface, and of use to shade() and its
 /// like. Owns nothing but its numbers; the lobes may go.
 struct Surface {
@@ -99,8 +102,16 @@ inline void set_position_error(Surface& surface, float metres) {
     surface.point.position_error2 = f32::min(error2, k_max_coordinate * k_max_coordinate);
 }
 
-// The BRDF itself, times the cosine at the surface: what a path tracer, or a reference, integrates.
-// `wi` leads from the surface to the light, world space, any length that is not 0.
+/// @}
+
+/// \addtogroup sampling
+/// @{
+
+/// \name The BRDF itself
+///
+/// Times the cosine at the surface: what a path tracer, or a reference, integrates. `wi` leads from
+/// the surface to the light, world space, any length that is not 0.
+/// @{
 
 namespace detail {
 
@@ -155,5 +166,8 @@ inline DirectionSample sample_surface(const Surface& surface, Vec2f u) {
   sample.valid = detail::is_density(sample.pdf);
   return sample;
 }
+
+/// @}
+/// @}
 
 } // namespace openltc

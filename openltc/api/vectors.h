@@ -16,13 +16,19 @@
 
 namespace openltc {
 
+/// \addtogroup vectors
+/// @{
+
 /// Metres: positions further from the origin than this along an axis are not shaded, and lights
 /// that reach further light nothing. Squares of areas are then far from the end of single
 /// precision.
 inline constexpr float k_max_coordinate = 4e8f;
 
-/// Metres: radii, semi-axes and lengths of lights lie between these two.
-inline constexpr float k_min_extent = 1e-12f, k_max_extent = 1e8f;
+/// Metres: radii, semi-axes and lengths of lights are above this.
+inline constexpr float k_min_extent = 1e-12f;
+
+/// Metres: and not above this.
+inline constexpr float k_max_extent = 1e8f;
 
 namespace detail {
 
@@ -60,5 +66,7 @@ inline Vec3f finite_light(Vec3f x) {
 }
 
 } // namespace detail
+
+/// @}
 
 } // namespace openltc

@@ -22,20 +22,28 @@
 // What lies above both horizons is therefore the intersection of two intervals of a circle, at most
 // two pieces, and each is closed by arcs to the wedge's apex as the edges of edge.glsl are.
 
+/// An elliptic cone of directions around its apex, the point.
 struct Cone {
-  Vec3 e1; // orthonormal, right-handed; e3 the axis
-  Vec3 e2;
-  Vec3 e3;
-  Real k1; // sines of the half angles, k1 >= k2
-  Real k2;
-  Real c1; // their cosines, c1 <= c2
-  Real c2;
+  Vec3 e1; ///< orthonormal, right-handed; e3 the axis
+  Vec3 e2; ///< the second axis, of the smaller half angle
+  Vec3 e3; ///< the axis of the cone
+  Real k1; ///< sines of the half angles, k1 >= k2
+  Real k2; ///< of the one along e2
+  Real c1; ///< their cosines, c1 <= c2
+  Real c2; ///< of the one along e2
 };
 
 /// A symmetric matrix in a basis of its own, on the way to being diagonal.
 struct Diagonalisation {
-  Real s11, s22, s33, s12, s13, s23;
-  Vec3 e1, e2, e3;
+  Real s11; ///< its elements in that basis, by row and column
+  Real s22; ///< see s11
+  Real s33; ///< see s11
+  Real s12; ///< see s11
+  Real s13; ///< see s11
+  Real s23; ///< see s11
+  Vec3 e1;  ///< the basis, orthonormal
+  Vec3 e2;  ///< see e1
+  Vec3 e3;  ///< see e1
 };
 
 /// The tangent of the smaller rotation that clears the element `pq` between `pp` and `qq`.
@@ -183,8 +191,8 @@ CONSTANT k_full_turn = 6.2831;
 
 /// An interval of the outline's parameter: counter-clockwise from `start`.
 struct Arc {
-  Real start;  // -pi..pi
-  Real extent; // 0..2 pi
+  Real start;  ///< -pi..pi
+  Real extent; ///< 0..2 pi
 };
 
 /// The part of the outline above the plane with unit normal `up`.
@@ -237,10 +245,11 @@ FN Vec3 cone_direction(Cone cone, Real t) {
 
 /// The antiderivative of v x dv at the parameter t, in the frame of the cone, and v there.
 struct ConePoint {
-  Vec3 sum;
-  Vec3 direction;
+  Vec3 sum;       ///< the antiderivative
+  Vec3 direction; ///< v, unit
 };
 
+/// Both at the parameter t, radians.
 FN_CALL ConePoint cone_point(Cone cone, Real t) {
   Real c = cos(t);
   Real s = sin(t);
@@ -262,6 +271,7 @@ FN_CALL ConePoint cone_point(Cone cone, Real t) {
   return point;
 }
 
+/// The same angle within a turn: 0 to 2 pi, from -2 pi to 4 pi.
 FN Real wrapped_turn(Real angle) {
   Real turn = Real(2.0) * k_pi;
   Real a = select(angle < Real(0.0), angle + turn, angle);

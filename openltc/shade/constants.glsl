@@ -3,14 +3,18 @@
 //
 // Constants. CONSTANT is a compile-time scalar in every target.
 
+/// pi
 CONSTANT k_pi = 3.14159265358979323846;
+/// 1 / pi
 CONSTANT k_inv_pi = 0.31830988618379067154;
+/// 1 / (2 pi)
 CONSTANT k_half_inv_pi = 0.15915494309189533577;
 
 /// Smallest microfacet width that shading uses: roughness 0.01. A perfect mirror has no finite
 /// density; at this width the lobe is 0.01 degrees wide, below what a pixel resolves, and single
 /// precision still carries it.
 CONSTANT k_min_alpha = 1.0e-4;
+/// The roughness of k_min_alpha.
 CONSTANT k_min_roughness = 0.01;
 
 /// What rounding may make of a distance of 0 from a plane, relative to that from the plane's origin:
@@ -30,10 +34,10 @@ CONSTANT k_normal_rounding = 1.0e-6;
 CONSTANT k_min_share = 0.01;
 
 /// Most that a light's specular part is multiplied by (blended_ratio), so that it fades where a light
-/// leaves the lobe, beyond whose own horizon there is nothing to multiply; and where lights are so many
-/// that their sum has to be bounded. Where the BRDF is 16 times the lobe, there is next to nothing of
-/// either.
+/// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is 16 times
+/// the lobe, there is next to nothing of either.
 CONSTANT k_max_ratio = 64.0;
+/// And where lights are so many that their sum has to be bounded.
 CONSTANT k_max_ratio_of_many = 16.0;
 
 /// Added under a division or a square root whose argument may vanish; far below any length in use.

@@ -59,6 +59,7 @@ FN Real any_over_sin(Real x, Real sin2, Real acute) {
   return select(x < Real(0.0), k_pi * inv_sin - acute, acute);
 }
 
+/// theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
 FN Real theta_over_sin(Real x, Real sin2) {
   Real acute = acute_over_sin(x);
   // Uniform shortcut: no lane's angle is beyond a right one.
@@ -84,6 +85,7 @@ FN Vec3 edge_term_scaled(Vec3 a, Vec3 b, Vec3 d, Real inv_a, Real inv_b) {
   return c * (scale * weight);
 }
 
+/// edge_term_scaled, which finds the inverse lengths of a and b by itself.
 FN Vec3 edge_term(Vec3 a, Vec3 b, Vec3 d) {
   return edge_term_scaled(a, b, d, inverse_length(a), inverse_length(b));
 }
@@ -104,8 +106,8 @@ FN Real crossing_place(Real a, Real b) {
 
 /// The part of an edge above a plane, in units of the edge; whole where both ends are above.
 struct Span {
-  Real t0;
-  Real t1;
+  Real t0; ///< where it begins, 0..1
+  Real t1; ///< where it ends, 0..1
 };
 
 /// a, b: heights of the ends, of which one at least is not below.
@@ -119,10 +121,10 @@ FN Span span_above(Real a, Real b) {
 
 /// What is left of an edge within the wedge.
 struct ClippedEdge {
-  Vec3 p0; // cosine space
-  Vec3 p1;
-  Real extent; // in units of the edge
-  Mask outside;
+  Vec3 p0;      ///< cosine space
+  Vec3 p1;      ///< its end; p0 is its beginning
+  Real extent;  ///< in units of the edge
+  Mask outside; ///< whether nothing is left
 };
 
 /// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
@@ -158,11 +160,12 @@ FN Real angle_of_unit(Real c, Real s) {
 /// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
 /// counts as it is.
 struct EdgeAbove {
-  Vec3 term;
-  Real turn_cos;
-  Real turn_sin;
+  Vec3 term;     ///< its contribution to the vector irradiance, times 2 pi
+  Real turn_cos; ///< 1 where nothing was cut
+  Real turn_sin; ///< 0 where nothing was cut
 };
 
+/// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
 FN EdgeAbove edge_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
   Mask a_up = a.z >= Real(0.0);
   Mask b_up = b.z >= Real(0.0);
@@ -235,6 +238,7 @@ FN Vec3 clipped_edge_term_scaled(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s,
   return select(edge.outside, none, sum);
 }
 
+/// clipped_edge_term_scaled, which finds the inverse lengths by itself.
 FN Vec3 clipped_edge_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z, Real s) {
   return clipped_edge_term_scaled(a_o, b_o, a_z, b_z, s, inverse_length(a_o), inverse_length(b_o));
 }

@@ -6,10 +6,10 @@
 
 /// A flat ellipse in world space; emits along half_u x half_v.
 struct Ellipse {
-  Vec3 center;
-  Vec3 half_u; // semi-axes, perpendicular
-  Vec3 half_v;
-  Real two_sided; // 0 or 1
+  Vec3 center;    ///< world space
+  Vec3 half_u;    ///< semi-axes, perpendicular, metres
+  Vec3 half_v;    ///< the other one
+  Real two_sided; ///< 0 or 1
 };
 
 /// Unit, to the emitting side.
@@ -24,14 +24,15 @@ FN Real ellipse_area(Ellipse ellipse) {
   return sqrt(dot(normal, normal)) * k_pi;
 }
 
-/// 2 pi times the vector irradiances of the cone of directions to a flat ellipse, all in shading
-/// space; where `cut`, of its part in front of the plane with unit normal `front`.
+/// 2 pi times the vector irradiances of a cone of directions.
 struct ConeSums {
-  Vec3 diffuse;
-  Vec3 specular;
-  Real outline2; // see light_concentration
+  Vec3 diffuse;  ///< in shading space, clipped to the horizon
+  Vec3 specular; ///< in cosine space, clipped to both horizons
+  Real outline2; ///< see light_concentration
 };
 
+/// Those of the cone of directions to a flat ellipse, all in shading space; where `cut`, of its part
+/// in front of the plane with unit normal `front`.
 FN ConeSums sum_ellipse_cone(Vec3 center, Vec3 u, Vec3 v, Lobe lobe, Vec3 front, bool cut) {
   Vec3 up = Vec3(Real(0.0), Real(0.0), Real(1.0));
   Vec3 up_o = horizon_normal_cosine(lobe);
@@ -74,6 +75,7 @@ FN LightIntegral integrate_ellipse(Ellipse ellipse, Vec3 position, Frame frame, 
                                 Vec3(Real(0.0), Real(0.0), Real(1.0)), false);
 }
 
+/// Of an ellipse over the plane through `position` with that unit normal, world space.
 FN Heights ellipse_heights(Ellipse ellipse, Vec3 position, Vec3 normal) {
   Real middle = dot(normal, ellipse.center - position);
   Real u = dot(normal, ellipse.half_u);
@@ -106,6 +108,7 @@ FN ShadedLight shade_ellipse_parts(Surface s, Ellipse ellipse) {
   return shade_integral(s, surface_ellipse_integral(s, ellipse));
 }
 
+/// Light that a surface reflects of it, for radiance 1 and without shadow: shade_ellipse_parts, both together.
 FN Vec3 shade_ellipse(Surface s, Ellipse ellipse) {
   return both_parts(shade_ellipse_parts(s, ellipse));
 }
@@ -150,12 +153,12 @@ FN LightPoint sample_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec2 u) {
 /// that estimates are right whatever it is; to make it even would take the inverse of elliptic
 /// integrals (Guillen et al. 2017, "Area-Preserving Parameterizations for Spherical Ellipses").
 struct SeenEllipse {
-  Cone cone;   // world space
-  Real cot2_1; // square of the cotangent of the half angle along e1
-  Real cot2_2;
-  Real ratio;
-  Mask known; // whether single precision can place directions in it
-  Mask sided; // whether the point has a side of it
+  Cone cone;   ///< world space
+  Real cot2_1; ///< square of the cotangent of the half angle along e1
+  Real cot2_2; ///< and along e2
+  Real ratio;  ///< of the two axes by which the azimuth is drawn
+  Mask known;  ///< whether single precision can place directions in it
+  Mask sided;  ///< whether the point has a side of it
 };
 
 /// error2: square of the metres within which the position is known.
@@ -234,6 +237,7 @@ FN LightPoint sample_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 position, V
   return select_point(seen.known, by_angle, by_area);
 }
 
+/// Density per solid angle with which sample_ellipse draws a unit direction.
 FN Real pdf_ellipse(Ellipse ellipse, SeenEllipse seen, Vec3 position, Vec3 direction) {
   return pdf_of_point(intersect_ellipse(ellipse, seen, position, direction));
 }

@@ -31,9 +31,10 @@
 //                                     space; unit axes at right angles
 //   Vec2 emission_extent(EmissionTexture)         its sides in metres
 
-/// Cells along the narrow and the wide axis. 24 in all reach a third of the error of one look, 9
-/// half of it; 96 an eighth.
+/// Cells along the narrow axis. 24 in all reach a third of the error of one look, 9 half of it; 96 an
+/// eighth.
 const int k_emission_narrow_cells = 4;
+/// And along the wide one.
 const int k_emission_wide_cells = 6;
 
 /// Texels of a level to a cell's side. The error is flat from 0.5 to 0.7: a texel stands for a
@@ -51,19 +52,21 @@ CONSTANT k_emission_rectangle_share = 0.5;
 /// 1 / (2 ln 2): half the binary logarithm, from the natural one.
 CONSTANT k_half_inv_ln2 = 0.72134752044448170368;
 
-/// Integral variable t = y / sqrt(1 + y^2) and its inverse.
+/// Integral variable t = y / sqrt(1 + y^2).
 FN Real emission_step_from_width(Real y) { return y * inversesqrt(Real(1.0) + y * y); }
+/// Its inverse, y of t in (-1, 1).
 FN Real emission_width_from_step(Real t) {
   return t * inversesqrt(max(Real(1.0) - t * t, Real(1.0e-10)));
 }
 
-/// Part of an axis that cell `cell` of `cells` takes.
+/// Part of an axis that a cell takes, in metres from the middle of the kernel.
 struct EmissionCell {
-  Real center;
-  Real side;    // length of the part that matters: no longer than its weight is
-  Real measure; // length per step of t, times the step
+  Real center;  ///< where its middle lies
+  Real side;    ///< length of the part that matters: no longer than its weight is
+  Real measure; ///< length per step of t, times the step
 };
 
+/// Cell `cell` of `cells` that are even in t from `low` to `high`; `width`: metres for y = 1.
 FN EmissionCell emission_cell(Real width, Real low, Real high, int cell, int cells) {
   Real step = (high - low) / Real(float(cells));
   Real t0 = low + step * Real(float(cell));
@@ -77,12 +80,13 @@ FN EmissionCell emission_cell(Real width, Real low, Real high, int cell, int cel
   return result;
 }
 
-/// The part of [center - half_length, center + half_length] that lies in [0, end].
+/// The part of a length that lies on a light.
 struct EmissionOverlap {
-  Real center;
-  Real share;
+  Real center; ///< of the part
+  Real share;  ///< of the length, 0..1
 };
 
+/// The part of [center - half_length, center + half_length] that lies in [0, end], metres.
 FN EmissionOverlap emission_overlap(Real center, Real half_length, Real end) {
   Real low = min(max(center - half_length, Real(0.0)), end);
   Real high = min(max(center + half_length, Real(0.0)), end);
@@ -217,6 +221,7 @@ FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame f
   return Vec3(sum.x * inv_share, sum.y * inv_share, sum.z * inv_share);
 }
 
+/// emission_seen_part of the whole light, above the horizon alone.
 FN Vec3 emission_seen(EmissionTexture emission, Vec3 position, Frame frame, Lobe lobe,
                       Vec3 mean_direction) {
   return emission_seen_part(emission, position, frame, lobe, mean_direction,

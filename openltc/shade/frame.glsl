@@ -5,10 +5,11 @@
 //
 // In it wo = (sin theta, 0, cos theta), so an isotropic BRDF depends on theta and roughness alone.
 
+/// The shading frame of a point: the axes x, y and z of shading space, orthonormal.
 struct Frame {
-  Vec3 t1; // unit, world space
-  Vec3 t2;
-  Vec3 n;
+  Vec3 t1; ///< unit, world space
+  Vec3 t2; ///< n x t1
+  Vec3 n;  ///< the normal
 };
 
 /// A unit vector perpendicular to the unit vector n, without a branch: Duff et al. 2017, "Building an
@@ -40,10 +41,12 @@ FN Frame shading_frame(Vec3 n, Vec3 wo) {
   return frame;
 }
 
+/// A vector of world space in shading space.
 FN Vec3 to_shading(Frame frame, Vec3 v_world) {
   return Vec3(dot(frame.t1, v_world), dot(frame.t2, v_world), dot(frame.n, v_world));
 }
 
+/// A vector of shading space in world space.
 FN Vec3 to_world(Frame frame, Vec3 v_shading) {
   return frame.t1 * v_shading.x + frame.t2 * v_shading.y + frame.n * v_shading.z;
 }

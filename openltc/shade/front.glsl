@@ -23,13 +23,14 @@ FN Vec3 plane_normal_cosine(Lobe lobe, Vec3 normal) {
   return n * inversesqrt(max(dot(n, n), Real(k_tiny)));
 }
 
-/// The part of a segment in front of the plane with that normal.
+/// The part of a segment in front of a plane.
 struct FrontSegment {
-  Vec3 a;
-  Vec3 b;
-  Mask some;
+  Vec3 a;    ///< where it begins
+  Vec3 b;    ///< where it ends
+  Mask some; ///< whether there is any
 };
 
+/// The part of the segment from a to b in front of the plane through the origin with that normal.
 FN FrontSegment segment_in_front(Vec3 a, Vec3 b, Vec3 front) {
   Real a_height = dot(front, a);
   Real b_height = dot(front, b);

@@ -67,8 +67,8 @@ FN Vec3 schlick_fresnel(Vec3 f0, Vec3 f90, Real o_dot_h) {
 
 /// A GGX evaluation with Fresnel kept apart: f_s cos = f0 * scale + (f90 - f0) * bias.
 struct GgxTerms {
-  Real scale; // D V cos_i
-  Real bias;  // D V cos_i (1 - wo.h)^5
+  Real scale; ///< D V cos_i
+  Real bias;  ///< D V cos_i (1 - wo.h)^5
 };
 
 /// D V cos_i and its Schlick part for a pair of directions; zero below the horizon.

@@ -3,6 +3,7 @@
 //
 // Lambert's BRDF, albedo/pi. The functions below are for albedo 1 and include the cosine.
 
+/// BRDF times cosine, 1/steradian; 0 below the horizon.
 FN Real eval_lambert(Vec3 wi_shading) { return max(wi_shading.z, Real(0.0)) * k_inv_pi; }
 
 /// Cosine-distributed direction from two numbers in [0, 1), shading space, z >= 0.

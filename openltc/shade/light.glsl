@@ -19,11 +19,11 @@
 /// vectors' directions are the mean directions of the part of the light that counts; of the
 /// specular one, carried back by M, shading takes the Fresnel reflectance.
 struct LightIntegral {
-  Real diffuse;            // integral of cos/pi over the light, 0..1
-  Real specular;           // integral of the lobe's density, both horizons respected, 0..1
-  Vec3 diffuse_direction;  // shading space, unit
-  Vec3 specular_direction; // shading space, unit
-  Real concentration; // cosine space, 0..1: 1 for a light so small that it lies in one direction
+  Real diffuse;            ///< integral of cos/pi over the light, 0..1
+  Real specular;           ///< integral of the lobe's density, both horizons respected, 0..1
+  Vec3 diffuse_direction;  ///< shading space, unit
+  Vec3 specular_direction; ///< shading space, unit
+  Real concentration; ///< cosine space, 0..1: 1 for a light so small that it lies in one direction
 };
 
 /// How closely a light keeps to its mean direction in cosine space, 0..1: R^4 (1 - |Phi|).
@@ -50,10 +50,11 @@ FN LightIntegral light_integral(Vec3 diffuse, Vec3 specular, Lobe lobe, Real out
 
 /// Heights of a light's lowest and highest point over a plane through the shaded point, metres.
 struct Heights {
-  Real low;
-  Real high;
+  Real low;  ///< of the lowest point, metres
+  Real high; ///< of the highest one, metres
 };
 
+/// Both 0, where nothing is asked of them.
 FN Heights no_heights() {
   Heights heights;
   heights.low = Real(0.0);
@@ -74,13 +75,14 @@ FN Real never_zero(Real x) { return x + select(x == Real(0.0), Real(1.0), Real(0
 
 /// A point of a light seen from a shaded point, met by a ray or drawn at random.
 struct LightPoint {
-  Mask hit;         // whether light comes from there: in front, on the emitting side
-  Vec3 direction;   // to the point, unit, world space
-  Real distance;    // metres
-  Real cos_light;   // cosine at the light, 0..1
-  Real solid_angle; // 1 / the density per solid angle with which the light's sampling draws it
+  Mask hit;         ///< whether light comes from there: in front, on the emitting side
+  Vec3 direction;   ///< to the point, unit, world space
+  Real distance;    ///< metres
+  Real cos_light;   ///< cosine at the light, 0..1
+  Real solid_angle; ///< 1 / the density per solid angle with which the light's sampling draws it
 };
 
+/// a where the mask is set, b elsewhere.
 FN LightPoint select_point(Mask m, LightPoint a, LightPoint b) {
   LightPoint point;
   point.hit = (m && a.hit) || (!m && b.hit);

@@ -14,9 +14,10 @@
 // det |p x q| / |p_o x q_o| for any two points p, q of the line: areas of triangles with the origin
 // change by the cofactors of M^-1, volumes by its determinant.
 
+/// A straight line without a width; see the intensity per metre of openltc::Line.
 struct Line {
-  Vec3 from; // world space
-  Vec3 to;
+  Vec3 from; ///< one end, world space
+  Vec3 to;   ///< the other
 };
 
 /// 2 pi times the vector irradiance of the strip of width 1 around the segment from p to q, seen
@@ -88,6 +89,7 @@ FN LightIntegral integrate_line_in_front(Line line, Vec3 position, Frame frame, 
   return integral;
 }
 
+/// Of a line over the plane through `position` with that unit normal, world space.
 FN Heights line_heights(Line line, Vec3 position, Vec3 normal) {
   Real from = dot(normal, line.from - position);
   Real to = dot(normal, line.to - position);
@@ -118,8 +120,8 @@ const int k_line_pieces = 6;
 
 /// Means over a segment, weighted by the lobe.
 struct SegmentRatio {
-  Real scale; // of blended_ratio
-  Real bias;  // of blended_ratio times Schlick's weight
+  Real scale; ///< of blended_ratio
+  Real bias;  ///< of blended_ratio times Schlick's weight
 };
 
 /// blended_ratio of a long light: a mean over pieces that span equal angles in cosine space, each taken in
@@ -189,6 +191,7 @@ FN ShadedLight shade_line_parts(Surface s, Line line) {
   return shade_line_integral(s, line, surface_line_integral(s, line));
 }
 
+/// Light that a surface reflects of it, for radiance 1 and without shadow: shade_line_parts, both together.
 FN Vec3 shade_line(Surface s, Line line) { return both_parts(shade_line_parts(s, line)); }
 
 /// The part of a line that a surface sees, for sampling: above its horizon and in front of its triangle;

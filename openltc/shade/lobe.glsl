@@ -14,14 +14,16 @@
 //   [  0   1   0  ]
 //   [ m20  0  m22 ].
 
+/// A lobe by its matrix M^-1.
 struct Lobe {
-  Real m00; // M^-1, shading space to cosine space
-  Real m02;
-  Real m20;
-  Real m22;
-  Real det; // det M^-1 = m00 m22 - m02 m20, positive
+  Real m00; ///< M^-1, shading space to cosine space
+  Real m02; ///< row 0, column 2
+  Real m20; ///< row 2, column 0
+  Real m22; ///< row 2, column 2
+  Real det; ///< det M^-1 = m00 m22 - m02 m20, positive
 };
 
+/// The lobe of these elements, whose determinant is positive.
 FN Lobe make_lobe(Real m00, Real m02, Real m20, Real m22) {
   Lobe lobe;
   lobe.m00 = m00;

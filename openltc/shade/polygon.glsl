@@ -18,10 +18,10 @@
 
 /// A small polygon: where it is in shading space, and how far it spreads.
 struct SmallPolygon {
-  Vec3 center;
-  Vec3 u;
-  Vec3 v;
-  Real area_height; // area times the distance from its plane
+  Vec3 center;      ///< its centroid
+  Vec3 u;           ///< its spread, see PolygonMoments
+  Vec3 v;           ///< and the one across
+  Real area_height; ///< area times the distance from its plane
 };
 
 /// 2 pi times the vector irradiance of a part of a light around p: its density times its solid
@@ -43,10 +43,11 @@ FN Vec3 sum_small_polygon(SmallPolygon small, Lobe lobe) {
          small_part_term(small.center - small.v, quarter, lobe);
 }
 
-/// Square of the angular radius below which the small form begins, 0.05; that below which it is all; and
-/// 1 over what lies between, over which the one fades into the other.
+/// Square of the angular radius below which the small form begins, 0.05.
 CONSTANT k_small_radius2 = 0.0025;
+/// Angular radius below which it is all.
 CONSTANT k_wholly_small_radius = 0.03;
+/// 1 over what lies between, over which the one fades into the other.
 CONSTANT k_inv_small_range = 50.0;
 
 /// How much of the edge sums a polygon wants, 0 to 1; the rest is its small form.
@@ -173,6 +174,7 @@ FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position,
   return light_integral(sums.diffuse, sums.specular, lobe, small_outline2(sums, exact_specular));
 }
 
+/// Of a polygon over the plane through `position` with that unit normal, world space.
 FN_CALL Heights polygon_heights(Polygon polygon, Vec3 position, Vec3 normal) {
   Heights heights;
   heights.low = dot(normal, polygon_point(polygon, 0) - position);
@@ -224,6 +226,7 @@ FN ShadedLight shade_polygon_parts(Surface s, Polygon polygon) {
   return shade_integral(s, surface_polygon_integral(s, polygon));
 }
 
+/// Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
 FN Vec3 shade_polygon(Surface s, Polygon polygon) {
   return both_parts(shade_polygon_parts(s, polygon));
 }

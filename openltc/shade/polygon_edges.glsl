@@ -12,20 +12,22 @@ FN Real apex_side(Real normal_y, Real h) {
   return select(normal_y * h < Real(0.0), Real(-1.0), Real(1.0));
 }
 
+/// The sums over the edges of an outline.
 struct EdgeSums {
-  Vec3 diffuse;  // 2 pi times the vector irradiance of the clipped polygon in shading space
-  Vec3 specular; // the same in cosine space
-  Real outline2; // square of the mean of the unit vectors to its corners, cosine space
+  Vec3 diffuse;  ///< 2 pi times the vector irradiance of the clipped polygon in shading space
+  Vec3 specular; ///< the same in cosine space
+  Real outline2; ///< square of the mean of the unit vectors to its corners, cosine space
 };
 
 /// A corner of an outline as a point sees it.
 struct Corner {
-  Vec3 p;     // shading space
-  Vec3 o;     // cosine space
-  Real inv_p; // 1 / length
-  Real inv_o;
+  Vec3 p;     ///< shading space
+  Vec3 o;     ///< cosine space
+  Real inv_p; ///< 1 / length
+  Real inv_o; ///< 1 / length
 };
 
+/// The corner at p of shading space.
 FN Corner corner_at(Vec3 p, Lobe lobe) {
   Corner corner;
   corner.p = p;
@@ -35,6 +37,7 @@ FN Corner corner_at(Vec3 p, Lobe lobe) {
   return corner;
 }
 
+/// Corner i of a polygon as `position`, world space, sees it.
 FN Corner corner_seen(Polygon polygon, int i, Vec3 position, Frame frame, Lobe lobe) {
   return corner_at(to_shading(frame, polygon_point(polygon, i) - position), lobe);
 }
@@ -42,10 +45,12 @@ FN Corner corner_seen(Polygon polygon, int i, Vec3 position, Frame frame, Lobe l
 /// Height over the nearer of the two horizons, in units of its own space.
 FN Real least_height(Corner corner) { return min(corner.p.z, corner.o.z); }
 
+/// The term of the edge from a to b in shading space, clipped to the horizon; s: its apex_side.
 FN Vec3 diffuse_term(Corner a, Corner b, Real s) {
   return edge_term_above(a.p, b.p, s, a.inv_p, b.inv_p);
 }
 
+/// And in cosine space, clipped to both horizons.
 FN Vec3 specular_term(Corner a, Corner b, Real s) {
   return clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
 }
@@ -55,6 +60,7 @@ FN Vec3 whole_diffuse_term(Corner a, Corner b) {
   return edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
 }
 
+/// And in cosine space.
 FN Vec3 whole_specular_term(Corner a, Corner b) {
   return edge_term_scaled(a.o, b.o, b.o - a.o, a.inv_o, b.inv_o);
 }
@@ -96,6 +102,7 @@ FN Corner corner_between(Corner a, Corner b, Real a_height, Real b_height, Vec3 
   return corner_at(p - front * dot(front, p), lobe);
 }
 
+/// a where the mask is set, b elsewhere.
 FN Corner select_corner(Mask m, Corner a, Corner b) {
   Corner corner;
   corner.p = select(m, a.p, b.p);

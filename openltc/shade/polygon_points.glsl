@@ -92,12 +92,13 @@ CONSTANT k_least_seen = 1.0e-3;
 /// under nearly all of their half space, draw from its area instead: there single precision cannot place
 /// a direction.
 struct SeenPolygon {
-  Real triangle[k_max_seen_triangles]; // solid angles, steradians
-  Real total;
-  Mask known; // where it is sampled by solid angle
-  Mask sided; // where the point has a side of it
+  Real triangle[k_max_seen_triangles]; ///< solid angles, steradians
+  Real total;                          ///< their sum
+  Mask known;                          ///< where it is sampled by solid angle
+  Mask sided;                          ///< where the point has a side of it
 };
 
+/// Triangle i of a polygon as `position`, world space, sees it.
 FN SphericalTriangle polygon_triangle_seen(Polygon polygon, int i, Vec3 position) {
   return spherical_triangle(polygon_triangle_corner(polygon, i) - position,
                             polygon_triangle_ab(polygon, i), polygon_triangle_ac(polygon, i));
@@ -176,6 +177,7 @@ FN LightPoint intersect_polygon(Polygon polygon, SeenPolygon seen, Vec3 position
   return point;
 }
 
+/// Density per solid angle with which sample_polygon draws a unit direction.
 FN Real pdf_polygon(Polygon polygon, SeenPolygon seen, Vec3 position, Vec3 direction) {
   return pdf_of_point(intersect_polygon(polygon, seen, position, direction));
 }

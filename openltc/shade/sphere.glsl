@@ -4,9 +4,10 @@
 // The integral of a lobe over a sphere, exact, clipped to both horizons: the cone of directions that
 // touch it is that of a disk. See cone.glsl.
 
+/// A sphere, which emits outwards.
 struct Sphere {
-  Vec3 center; // world space
-  Real radius;
+  Vec3 center; ///< world space
+  Real radius; ///< metres
 };
 
 /// Semi-axes of a disk around p that fills the same directions as the sphere of that radius around
@@ -43,6 +44,7 @@ FN LightIntegral integrate_sphere(Sphere sphere, Vec3 position, Frame frame, Lob
                                false);
 }
 
+/// Of a sphere over the plane through `position` with that unit normal, world space.
 FN Heights sphere_heights(Sphere sphere, Vec3 position, Vec3 normal) {
   Real middle = dot(normal, sphere.center - position);
   Heights heights;
@@ -72,16 +74,18 @@ FN ShadedLight shade_sphere_parts(Surface s, Sphere sphere) {
   return shade_integral(s, surface_sphere_integral(s, sphere));
 }
 
+/// Light that a surface reflects of it, for radiance 1 and without shadow: shade_sphere_parts, both together.
 FN Vec3 shade_sphere(Surface s, Sphere sphere) { return both_parts(shade_sphere_parts(s, sphere)); }
 
 /// A sphere as a point sees it, for sampling by solid angle: its cone of directions.
 struct SeenSphere {
-  Vec3 axis; // unit
-  Real distance2;
-  Real one_minus_cos; // of the half angle
-  Mask outside;
+  Vec3 axis;          ///< unit
+  Real distance2;     ///< square of the distance of its centre
+  Real one_minus_cos; ///< of the half angle
+  Mask outside;       ///< whether the point is outside of the sphere
 };
 
+/// The cone of a sphere from `position`, world space.
 FN SeenSphere sphere_seen(Sphere sphere, Vec3 position) {
   Vec3 to_center = sphere.center - position;
   SeenSphere seen;
@@ -134,6 +138,7 @@ FN LightPoint sample_sphere(Sphere sphere, SeenSphere seen, Vec2 u) {
   return sphere_point(sphere, seen, normalize(direction), one_minus_cos);
 }
 
+/// Density per solid angle with which sample_sphere draws a unit direction.
 FN Real pdf_sphere(Sphere sphere, SeenSphere seen, Vec3 direction) {
   return pdf_of_point(intersect_sphere(sphere, seen, direction));
 }

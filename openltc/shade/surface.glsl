@@ -13,28 +13,28 @@
 // from. f_s cos_i is therefore n1 F times the lobe divided by its share above the horizon: what
 // light from all sides reflects is n1 F, the albedo, and nothing leaks.
 
+/// A point of a surface, ready to be shaded by any light.
 struct Surface {
-  Vec3 position; // world space
-  Real
-      position_error2; // square of the metres within which it is known; make_surface assumes single
-                       // precision
-  Frame frame;
-  Vec3 wo; // shading space: (sin theta, 0, cos theta)
-  Real alpha;
-  Vec3 diffuse; // k_d c, albedo of the Lambertian part
-  Vec3 f0;
-  Vec3 f90;
-  FittedLobe fitted;
-  Vec3 specular;    // F0 n1 + (F90 - F0) n5, the specular albedo
-  Real axis_weight; // n5/n1 less Schlick's weight in the lobe's mean direction
-  Real inv_share;   // 1 / share_above_horizon
-  Vec3 geometric; // of the triangle, unit, world space, on the viewer's side; make_surface assumes
-                  // the shading normal
-  Real max_ratio; // most that this may multiply a light by
-  bool
-      corrected; // whether lights take the BRDF's own value in their mean direction, see blended_ratio
-  bool tilted; // whether the two differ in any lane: then what lies behind the triangle's plane is
-               // hidden by it
+  Vec3 position; ///< world space
+  /// Square of the metres within which it is known; make_surface assumes single precision.
+  Real position_error2;
+  Frame frame;       ///< shading space
+  Vec3 wo;           ///< shading space: (sin theta, 0, cos theta)
+  Real alpha;        ///< microfacet width, roughness^2
+  Vec3 diffuse;      ///< k_d c, albedo of the Lambertian part
+  Vec3 f0;           ///< specular reflectance at normal incidence
+  Vec3 f90;          ///< and at grazing incidence
+  FittedLobe fitted; ///< the lobe for this roughness and view
+  Vec3 specular;     ///< F0 n1 + (F90 - F0) n5, the specular albedo
+  Real axis_weight;  ///< n5/n1 less Schlick's weight in the lobe's mean direction
+  Real inv_share;    ///< 1 / share_above_horizon
+  /// Of the triangle, unit, world space, on the viewer's side; make_surface assumes the shading normal.
+  Vec3 geometric;
+  /// Whether the two differ in any lane: then what lies behind the triangle's plane is hidden by it.
+  bool tilted;
+  /// Whether lights take the BRDF's own value in their mean direction: see blended_ratio.
+  bool corrected;
+  Real max_ratio; ///< most that this may multiply a light by
 };
 
 /// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
@@ -123,6 +123,7 @@ FN Vec3 within_albedo(Surface s, Vec3 part) {
   return Vec3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
 }
 
+/// The normal of the triangle in shading space.
 FN Vec3 front_shading(Surface s) { return to_shading(s.frame, s.geometric); }
 
 /// The share `filled` of n1 with this weight of F90 over F0, within the albedo.
@@ -145,6 +146,7 @@ FN Vec3 reflectance_of_part(Surface s, Vec3 wi, Real share, Real filled) {
   return reflectance_of_weight(s, fresnel_weight(s.wo, wi) + share * s.axis_weight, filled);
 }
 
+/// The same of what the lobe itself has of the light.
 FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
   return reflectance_of_part(s, wi, share, share);
 }
@@ -173,10 +175,11 @@ FN Real ratio_weight(LightIntegral integral, Real share) {
 
 /// Reflected light of a light of radiance 1.
 struct ShadedLight {
-  Vec3 diffuse;
-  Vec3 specular;
+  Vec3 diffuse;  ///< by the Lambertian part
+  Vec3 specular; ///< by the lobe
 };
 
+/// Their sum.
 FN Vec3 both_parts(ShadedLight shaded) { return shaded.diffuse + shaded.specular; }
 
 /// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.

@@ -12,10 +12,11 @@
 //     .coefficients, Vec4  the mirror-frame coefficients A B C D
 //     .amplitudes, Vec2    n1 = integral of D V cos, n5 = integral of D V cos (1 - wo.h)^5
 
+/// The lobe of a roughness and a view angle, and its amplitudes.
 struct FittedLobe {
-  Lobe lobe;
-  Real n1; // directional albedo for F = 1
-  Real n5; // its Schlick-weighted part
+  Lobe lobe; ///< normalised: its integral is 1
+  Real n1;   ///< directional albedo for F = 1
+  Real n5;   ///< its Schlick-weighted part
 };
 
 /// Texture coordinate of a table axis, whose texels are its nodes: x in [0, 1] over N nodes. The

@@ -17,13 +17,13 @@
 /// A triangle seen from a point, which is the origin. What is small is formed of its edges, not of its
 /// corners, and keeps its digits however far away it is.
 struct SphericalTriangle {
-  Vec3 a; // unit
-  Vec3 b; // unit
-  Vec3 t; // unit: at a, along the side to c
-  Real n;
-  Real q;
-  Real r;
-  Real solid_angle; // steradians, 0..2 pi; 0 in its own plane
+  Vec3 a;           ///< unit
+  Vec3 b;           ///< unit
+  Vec3 t;           ///< unit: at a, along the side to c
+  Real n;           ///< t.(a x b)
+  Real q;           ///< 1 + a.b
+  Real r;           ///< b.t
+  Real solid_angle; ///< steradians, 0..2 pi; 0 in its own plane
 };
 
 /// a: from the point to a corner; ab, ac: edges from there.

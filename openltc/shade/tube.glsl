@@ -15,29 +15,33 @@
 // h, and v = u x w, the touching planes have the normals g = -sin a w +- cos a v, sin a = radius / h,
 // and touch the ends at their centres + radius g, disks and spheres alike.
 
+/// A round tube along a straight axis, which emits outwards.
 struct Tube {
-  Vec3 from; // ends of the axis, world space
-  Vec3 to;
-  Real radius;
-  Real caps; // 0: none, the lateral surface alone; 1: flat; 2: round, a capsule
+  Vec3 from;   ///< ends of the axis, world space
+  Vec3 to;     ///< the other end
+  Real radius; ///< metres
+  Real caps;   ///< 0: none, the lateral surface alone; 1: flat; 2: round, a capsule
 };
 
+/// Whether its ends are closed.
 FN Mask has_caps(Tube tube) { return tube.caps > Real(0.5); }
+/// Whether its ends are hemispheres.
 FN Mask has_round_caps(Tube tube) { return tube.caps > Real(1.5); }
 
 /// A tube around the origin of shading space.
 struct TubeView {
-  Vec3 from;
-  Vec3 to;
-  Vec3 axis;   // unit
-  Vec3 w;      // unit, from the origin to the axis' line
-  Vec3 v;      // axis x w
-  Real height; // distance to the axis' line
-  Vec3 left;   // radius times the normal of one touching plane
-  Vec3 right;  // and of the other
-  Mask beside; // outside of the infinite cylinder
+  Vec3 from;   ///< one end of the axis
+  Vec3 to;     ///< the other
+  Vec3 axis;   ///< unit
+  Vec3 w;      ///< unit, from the origin to the axis' line
+  Vec3 v;      ///< axis x w
+  Real height; ///< distance to the axis' line
+  Vec3 left;   ///< radius times the normal of one touching plane
+  Vec3 right;  ///< and of the other
+  Mask beside; ///< outside of the infinite cylinder
 };
 
+/// A tube as `position`, world space, sees it.
 FN TubeView tube_view(Tube tube, Vec3 position, Frame frame) {
   TubeView view;
   view.from = to_shading(frame, tube.from - position);
@@ -60,11 +64,11 @@ FN TubeView tube_view(Tube tube, Vec3 position, Frame frame) {
 
 /// Which part of the outline of an end's cone bounds the tube.
 struct TubeEnd {
-  Cone cone;
-  Arc part;
-  Real sign; // -1: followed clockwise, 0: not at all
-  Vec3 left; // where it meets the edges, on the cone, unit, cosine space
-  Vec3 right;
+  Cone cone;  ///< of directions to the end, cosine space
+  Arc part;   ///< of its outline
+  Real sign;  ///< -1: followed clockwise, 0: not at all
+  Vec3 left;  ///< where it meets the edges, on the cone, unit, cosine space
+  Vec3 right; ///< and where it meets the other one
 };
 
 /// One end. `center`, `away`: its centre and the unit direction out of it along the axis, shading
@@ -205,11 +209,13 @@ FN Real tube_outline2(Tube tube, TubeView view, Lobe lobe) {
   return distance2 / max(distance2 + dot(across, across), Real(k_tiny));
 }
 
-/// Angular radius below which a tube is its strip and ends alone, and 1 over how much more it takes to be
-/// its outline alone, 0.008; and the same where a plane cuts it, 0.001.
+/// Angular radius below which a tube is its strip and ends alone.
 CONSTANT k_wholly_thin = 0.004;
+/// 1 over how much more it takes to be its outline alone, from 0.008 on.
 CONSTANT k_inv_thin_range = 250.0;
+/// k_wholly_thin where a plane cuts the tube.
 CONSTANT k_wholly_thin_cut = 0.0005;
+/// And k_inv_thin_range there: its outline alone from 0.001 on.
 CONSTANT k_inv_thin_range_cut = 2000.0;
 
 /// The same for tubes of any thickness.
@@ -255,6 +261,7 @@ FN_CALL Vec3 sum_tube(Tube tube, TubeView view, Lobe lobe, Vec3 front, Heights h
   return sum;
 }
 
+/// Of a tube over the plane through `position` with that unit normal, world space.
 FN Heights tube_heights(Tube tube, Vec3 position, Vec3 normal) {
   Real from = dot(normal, tube.from - position);
   Real to = dot(normal, tube.to - position);
@@ -339,6 +346,7 @@ FN ShadedLight shade_tube_parts(Surface s, Tube tube) {
   return shade_tube_integral(s, tube, surface_tube_integral(s, tube));
 }
 
+/// Light that a surface reflects of it, for radiance 1 and without shadow: shade_tube_parts, both together.
 FN Vec3 shade_tube(Surface s, Tube tube) { return both_parts(shade_tube_parts(s, tube)); }
 
 /// Area of the emitting surface, square metres.

@@ -4,6 +4,7 @@
 // Points of a tube: met by a ray, drawn from its area, and drawn by the solid angle that it fills, with
 // their densities.
 
+/// Whether `position`, world space, is inside of a tube or on it.
 FN Mask inside_tube(Tube tube, Vec3 position) {
   Vec3 d = position - tube.from;
   Vec3 axis = tube.to - tube.from;
@@ -106,33 +107,34 @@ FN_CALL LightPoint sample_tube_by_area(Tube tube, Vec3 position, Vec2 u) {
 /// Sampling of Disk and Cylinder Lights", bounds a cylinder by a rectangle and throws away what
 /// misses.)
 struct SeenTube {
-  Vec3 axis;   // orthonormal, world space: along the tube,
-  Vec3 toward; // to the foot of the perpendicular on the axis,
-  Vec3 across;
-  Real distance; // of the axis, metres
-  Real radius;
-  Real tangent2; // square of the distance at which planes through the point touch
-  Real from;     // places of the ends along the axis, from the foot
-  Real to;
-  Real psi; // 0 where the side is not seen
-  Real side_share;
-  Real end_share; // of the end at `from`, or of the flat end that faces the point
-  Real other_share;
-  SeenSphere from_ball;
-  SeenSphere to_ball;
-  Mask round;
-  Mask sees_disk;
-  Ellipse disk;
-  SeenEllipse seen_disk;
-  Mask known; // whether single precision can place directions on it
+  Vec3 axis;     ///< orthonormal, world space: along the tube,
+  Vec3 toward;   ///< to the foot of the perpendicular on the axis,
+  Vec3 across;   ///< and axis x toward
+  Real distance; ///< of the axis, metres
+  Real radius;   ///< metres
+  Real tangent2; ///< square of the distance at which planes through the point touch
+  Real from;     ///< places of the ends along the axis, from the foot
+  Real to;       ///< and of the other end
+  Real psi; ///< half of the azimuths that the side fills, radians; 0 where the side is not seen
+  Real side_share;       ///< of all samples, of the side
+  Real end_share;        ///< of the end at `from`, or of the flat end that faces the point
+  Real other_share;      ///< of the other round end
+  SeenSphere from_ball;  ///< the ball of the end at `from`
+  SeenSphere to_ball;    ///< and of the other one
+  Mask round;            ///< whether the ends are balls
+  Mask sees_disk;        ///< whether a flat end faces the point
+  Ellipse disk;          ///< that end
+  SeenEllipse seen_disk; ///< as the point sees it
+  Mask known;            ///< whether single precision can place directions on it
 };
 
 /// The sines over the plane across the axis between which the side lies, at an azimuth.
 struct TubeInterval {
-  Real low;
-  Real high;
+  Real low;  ///< -1..1
+  Real high; ///< not below `low`, to 1
 };
 
+/// Those at the azimuth psi from the axis, by its sine and cosine.
 FN TubeInterval tube_interval(SeenTube seen, Real sin_psi, Real cos_psi) {
   Real off = seen.distance * sin_psi;
   // D cos psi - sqrt(r^2 - off^2), the nearer of two crossings, of which the product does not cancel.
@@ -145,6 +147,7 @@ FN TubeInterval tube_interval(SeenTube seen, Real sin_psi, Real cos_psi) {
   return interval;
 }
 
+/// What `position`, world space, sees of a tube.
 FN_CALL SeenTube tube_seen(Tube tube, Vec3 position) {
   SeenTube seen;
   Vec3 from = tube.from - position;
@@ -296,6 +299,7 @@ FN_CALL LightPoint sample_tube(Tube tube, SeenTube seen, Vec3 position, Vec2 u) 
   return select_point(seen.known, intersect_tube(tube, seen, position, direction), by_area);
 }
 
+/// Density per solid angle with which sample_tube draws a unit direction.
 FN Real pdf_tube(Tube tube, SeenTube seen, Vec3 position, Vec3 direction) {
   return pdf_of_point(intersect_tube(tube, seen, position, direction));
 }

@@ -12,13 +12,16 @@
 
 namespace openltc {
 
+/// \addtogroup dialect
+/// @{
+
 /// View of a lobe table in the native packing.
 struct LobeTableView {
   /// columns * rows texels, row-major, y (view angle) slow and x (roughness) fast, of 8 floats
   /// each: A B C D n1 n5 0 0. 32-byte texels let a lane build load one with a single instruction.
   const float* texels = nullptr;
-  int columns = 0;
-  int rows = 0;
+  int columns = 0; ///< nodes of roughness
+  int rows = 0;    ///< nodes of view angle
 };
 
 /// View of the polynomial form of fitted lobes; see shade/polynomial.glsl.
@@ -26,7 +29,7 @@ struct LobePolynomialView {
   /// (degree + 1)(degree + 2)/2 terms of 8 floats each, A B C D n1 n5 0 0, the coefficients of
   /// T_i(u) T_j(v): j from 0 slow, i from 0 to degree - j fast.
   const float* coefficients = nullptr;
-  int degree = 0;
+  int degree = 0; ///< in both variables together
 };
 
 /// View of a polygon light's outline.
@@ -34,21 +37,21 @@ struct PolygonView {
   const float* points = nullptr;   ///< point_count * 4: x y z (world space), 1 where a ring starts
   const float* in_plane = nullptr; ///< point_count * 2: the same points in (axis_u, axis_v)
   int point_count = 0;             ///< every ring repeats its first point at its end
-  bool two_sided = false;
-  float area = 0;              ///< square metres
-  float origin[3] = {0, 0, 0}; ///< a point of the plane, world space
-  float axis_u[3] = {1, 0, 0}; ///< orthonormal with axis_v and normal
-  float axis_v[3] = {0, 1, 0};
-  float normal[3] = {0, 0, 1};   ///< towards the emitting side
-  float centroid[3] = {0, 0, 0}; ///< of the area, world space
-  float spread_u[3] = {0, 0, 0}; ///< see PolygonMoments, world space
-  float spread_v[3] = {0, 0, 0};
-  float radius = 0; ///< metres from the centroid to the farthest point
+  bool two_sided = false;          ///< whether it emits against its normal too
+  float area = 0;                  ///< square metres
+  float origin[3] = {0, 0, 0};     ///< a point of the plane, world space
+  float axis_u[3] = {1, 0, 0};     ///< orthonormal with axis_v and normal
+  float axis_v[3] = {0, 1, 0};     ///< normal x axis_u
+  float normal[3] = {0, 0, 1};     ///< towards the emitting side
+  float centroid[3] = {0, 0, 0};   ///< of the area, world space
+  float spread_u[3] = {0, 0, 0};   ///< see PolygonMoments, world space
+  float spread_v[3] = {0, 0, 0};   ///< and the one across
+  float radius = 0;                ///< metres from the centroid to the farthest point
   /// Its area cut into triangles, for sampling: triangle_count * 9 floats, corner, edge, edge
-  /// (world space), and the running share of the area, 1 for the last.
+  /// (world space).
   const float* triangles = nullptr;
-  const float* triangle_cdf = nullptr;
-  int triangle_count = 0;
+  const float* triangle_cdf = nullptr; ///< running share of the area, 1 for the last
+  int triangle_count = 0;              ///< triangles
 };
 
 /// View of a luminous intensity by direction; see shade/profile.glsl.
@@ -57,8 +60,8 @@ struct ProfileView {
   /// the angle pi j/(n - 1) from the light's axis. Columns are fast: column i of m stands for the
   /// azimuth 2 pi i/(m - 1), the last being the first again; one column is the same all around.
   const float* values = nullptr;
-  int columns = 0;
-  int rows = 0;
+  int columns = 0; ///< azimuths
+  int rows = 0;    ///< angles from the axis
 };
 
 /// Linear values of a picture in the precision of its file: exactly one of the three pointers is
@@ -66,12 +69,13 @@ struct ProfileView {
 /// pictures, of `grey_channels` samples a pixel (grey and alpha; 0 = not grey), are read as if each
 /// pixel had three alike.
 struct EmissionPicture {
-  const float* floats = nullptr;
-  const std::uint8_t* bits8 = nullptr;
-  const std::uint16_t* bits16 = nullptr;
-  const float* table = nullptr;
-  std::size_t grey_channels = 0;
+  const float* floats = nullptr;         ///< linear values
+  const std::uint8_t* bits8 = nullptr;   ///< or places in a table of 256
+  const std::uint16_t* bits16 = nullptr; ///< or in one of 65536
+  const float* table = nullptr;          ///< linear values that they stand for
+  std::size_t grey_channels = 0;         ///< samples a pixel of a grey picture; 0 = not grey
 
+  /// Value i, three a pixel where the picture is grey.
   float operator[](std::size_t i) const {
     if (grey_channels != 0) i = i / 3 * grey_channels;
     return bits8 ? table[bits8[i]] : bits16 ? table[bits16[i]] : floats[i];
@@ -87,28 +91,33 @@ struct EmissionTextureView {
   /// 4 numbers a level: first texel, columns, rows, 0. Columns and rows are powers of two and half
   /// those of the level before, but at least 1; the last level is one texel, the light's mean.
   const std::int32_t* levels = nullptr;
-  int level_count = 0;
+  int level_count = 0;         ///< levels, the finest first
   float corner[3] = {0, 0, 0}; ///< of the rectangle, world space
   float axis_u[3] = {1, 0, 0}; ///< unit, orthogonal: its sides
-  float axis_v[3] = {0, 1, 0};
-  float extent[2] = {1, 1}; ///< their lengths, metres
+  float axis_v[3] = {0, 1, 0}; ///< the side across
+  float extent[2] = {1, 1};    ///< their lengths, metres
 
   /// The picture itself: picture_columns * picture_rows texels of picture_channels values (3 or
   /// more: r g b ...), linear, clamped; what is negative or not a number counts as 0.
   EmissionPicture picture;
-  int picture_columns = 0, picture_rows = 0, picture_channels = 3;
+  int picture_columns = 0;  ///< texels in a row of the picture
+  int picture_rows = 0;     ///< rows of the picture
+  int picture_channels = 3; ///< values a texel
   /// Its coordinates at a point p of the light: u = (p - picture_origin) . picture_u, v alike.
   float picture_origin[3] = {0, 0, 0};
-  float picture_u[3] = {1, 0, 0};
-  float picture_v[3] = {0, 1, 0};
+  float picture_u[3] = {1, 0, 0}; ///< of u: 1/metres, world space
+  float picture_v[3] = {0, 1, 0}; ///< of v
 
-  /// For sampling: the stack's finest level as a distribution. Running shares of cell_rows rows,
-  /// and in each row of its cell_columns cells; of all samples the share cell_share is drawn by
-  /// them, which is 0 where the picture is too even to gain by it.
+  /// For sampling: the stack's finest level as a distribution. Running shares of cell_rows rows.
   const float* row_cdf = nullptr;
-  const float* cell_cdf = nullptr;
-  int cell_columns = 0, cell_rows = 0;
+  const float* cell_cdf = nullptr; ///< and in each row of its cell_columns cells
+  int cell_columns = 0;            ///< cells in a row
+  int cell_rows = 0;               ///< rows
+  /// Of all samples this share is drawn by the cells; 0 where the picture is too even to gain by
+  /// it.
   float cell_share = 0;
 };
+
+/// @}
 
 } // namespace openltc
