@@ -97,6 +97,11 @@ FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
   }
   LightIntegral integral =
       integrate_ellipse_part(ellipse, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
+  if (s.two) {
+    integral = with_second_lobe(
+        s, integral,
+        integrate_ellipse_part(ellipse, s.position, s.frame, s.second, front_shading(s), cut));
+  }
   if (cut) {
     integral = unless_hidden(s, heights, integral);
   }

@@ -23,6 +23,7 @@ struct LightIntegral {
   Real specular;           ///< integral of the lobe's density, both horizons respected, 0..1
   Vec3 diffuse_direction;  ///< shading space, unit
   Vec3 specular_direction; ///< shading space, unit
+  Real second;             ///< integral of a second lobe's density, see with_second_lobe; else 0
   Real concentration; ///< cosine space, 0..1: 1 for a light so small that it lies in one direction
 };
 
@@ -41,6 +42,7 @@ FN LightIntegral light_integral(Vec3 diffuse, Vec3 specular, Lobe lobe, Real out
   LightIntegral result;
   result.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
   result.specular = min(max(specular.z * k_half_inv_pi, Real(0.0)), Real(1.0));
+  result.second = Real(0.0);
   result.diffuse_direction = safe_direction(diffuse);
   result.specular_direction = safe_direction(from_cosine(lobe, specular));
   result.concentration =

@@ -67,6 +67,7 @@ FN LightIntegral integrate_segment(Vec3 a, Vec3 b, Lobe lobe) {
   result.specular = min(max(specular.z * k_half_inv_pi, Real(0.0)), Real(1.0e15));
   result.diffuse_direction = safe_direction(diffuse);
   result.specular_direction = safe_direction(from_cosine(lobe, safe_direction(specular)));
+  result.second = Real(0.0);
   result.concentration = Real(0.0); // it has none; see segment_ratio
   return result;
 }
@@ -108,10 +109,19 @@ FN LightIntegral surface_line_integral(Surface s, Line line) {
     cut = any_lane(heights.low < Real(0.0));
   }
   if (!cut) {
-    return integrate_line(line, s.position, s.frame, s.fitted.lobe);
+    LightIntegral integral = integrate_line(line, s.position, s.frame, s.fitted.lobe);
+    if (s.two) {
+      integral = with_second_lobe(s, integral, integrate_line(line, s.position, s.frame, s.second));
+    }
+    return integral;
   }
   LightIntegral integral =
       integrate_line_in_front(line, s.position, s.frame, s.fitted.lobe, front_shading(s));
+  if (s.two) {
+    integral = with_second_lobe(
+        s, integral,
+        integrate_line_in_front(line, s.position, s.frame, s.second, front_shading(s)));
+  }
   return unless_hidden(s, heights, integral);
 }
 
@@ -129,8 +139,7 @@ struct SegmentRatio {
 ///
 /// A long light has no one direction, least of all one low over the horizon, where the BRDF vanishes and
 /// the lobe does not. The weights are line_term's, whose angles are steps of a rotation.
-FN_CALL SegmentRatio segment_ratio(Surface s, Vec3 a, Vec3 b, Real w) {
-  Lobe lobe = s.fitted.lobe;
+FN_CALL SegmentRatio segment_ratio(Surface s, Lobe lobe, Vec3 a, Vec3 b, Real w) {
   ClippedEdge edge = clip_edge(to_cosine(lobe, a), to_cosine(lobe, b), a.z, b.z);
   Vec3 t = safe_direction(edge.p1 - edge.p0);
   Real from = dot(edge.p0, t);
@@ -170,18 +179,32 @@ FN_CALL SegmentRatio segment_ratio(Surface s, Vec3 a, Vec3 b, Real w) {
   return mean;
 }
 
+/// Specular light of a line from a to b, shading space, of which the lobes have these shares. Each lobe is
+/// divided by itself, against the density of both: the balance heuristic of importance sampling.
+FN Vec3 segment_reflectance(Surface s, Vec3 a, Vec3 b, Real first, Real second) {
+  SegmentRatio ratio = segment_ratio(s, s.fitted.lobe, a, b, Real(1.0));
+  Real scale = ratio.scale * first;
+  Real bias = ratio.bias * first;
+  if (s.two) {
+    ratio = segment_ratio(s, s.second, a, b, Real(1.0));
+    scale = scale + ratio.scale * second;
+    bias = bias + ratio.bias * second;
+  }
+  return (s.f0 * scale + (s.f90 - s.f0) * bias) * s.fitted.n1;
+}
+
 /// Reflected light of a light of no width, whose integral is per metre of it and has no upper bound.
 FN ShadedLight shade_line_integral(Surface s, Line line, LightIntegral integral) {
-  Real amplitude = s.fitted.n1 * s.inv_share * integral.specular;
+  Real first = s.inv_share * integral.specular;
+  Real second = s.second_inv_share * integral.second;
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   if (s.corrected) {
-    SegmentRatio ratio = segment_ratio(s, to_shading(s.frame, line.from - s.position),
-                                       to_shading(s.frame, line.to - s.position), Real(1.0));
-    shaded.specular = (s.f0 * ratio.scale + (s.f90 - s.f0) * ratio.bias) * amplitude;
+    shaded.specular = segment_reflectance(s, to_shading(s.frame, line.from - s.position),
+                                          to_shading(s.frame, line.to - s.position), first, second);
   } else {
-    shaded.specular =
-        (s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, integral.specular_direction)) * amplitude;
+    Vec3 fresnel = s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, integral.specular_direction);
+    shaded.specular = fresnel * (s.fitted.n1 * (first + second));
   }
   return shaded;
 }

@@ -197,6 +197,10 @@ FN bool triangle_may_cut(Surface s, Polygon polygon) {
 /// The integral where no triangle's plane cuts the polygon.
 FN LightIntegral whole_polygon_integral(Surface s, Polygon polygon) {
   LightIntegral integral = integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+  if (s.two) {
+    integral =
+        with_second_lobe(s, integral, integrate_polygon(polygon, s.position, s.frame, s.second));
+  }
   return unless_in_plane(s, polygon_origin(polygon), polygon_normal(polygon), integral);
 }
 
@@ -208,6 +212,11 @@ FN LightIntegral cut_polygon_integral(Surface s, Polygon polygon) {
   }
   LightIntegral integral =
       integrate_polygon_in_front(polygon, s.position, s.frame, s.fitted.lobe, front_shading(s));
+  if (s.two) {
+    integral = with_second_lobe(
+        s, integral,
+        integrate_polygon_in_front(polygon, s.position, s.frame, s.second, front_shading(s)));
+  }
   integral = unless_hidden(s, heights, integral);
   return unless_in_plane(s, polygon_origin(polygon), polygon_normal(polygon), integral);
 }

@@ -63,6 +63,11 @@ FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
   }
   LightIntegral integral =
       integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
+  if (s.two) {
+    integral = with_second_lobe(
+        s, integral,
+        integrate_sphere_part(sphere, s.position, s.frame, s.second, front_shading(s), cut));
+  }
   if (cut) {
     return unless_hidden(s, heights, integral);
   }

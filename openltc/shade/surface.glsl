@@ -11,7 +11,8 @@
 //
 // The lobe integrates to 1 over the sphere and may reach below the surface, where no light comes
 // from. f_s cos_i is therefore n1 F times the lobe divided by its share above the horizon: what
-// light from all sides reflects is n1 F, the albedo, and nothing leaks.
+// light from all sides reflects is n1 F, the albedo, and nothing leaks. Of two lobes each has its own
+// share above the horizon, and a weight of the whole.
 
 /// A point of a surface, ready to be shaded by any light.
 struct Surface {
@@ -27,7 +28,11 @@ struct Surface {
   FittedLobe fitted; ///< the lobe for this roughness and view
   Vec3 specular;     ///< F0 n1 + (F90 - F0) n5, the specular albedo
   Real axis_weight;  ///< n5/n1 less Schlick's weight in the lobe's mean direction
-  Real inv_share;    ///< 1 / share_above_horizon
+  Real inv_share;    ///< weight of the lobe, 1 if it is the only one, over its share_above_horizon
+  /// Whether there is a second lobe in any lane.
+  bool two;
+  Lobe second;           ///< the second lobe
+  Real second_inv_share; ///< its weight over its share above the horizon
   /// Of the triangle, unit, world space, on the viewer's side; make_surface assumes the shading normal.
   Vec3 geometric;
   /// Whether the two differ in any lane: then what lies behind the triangle's plane is hidden by it.
@@ -63,10 +68,61 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
   Real taken = max(max(s.specular.x, s.specular.y), s.specular.z);
   s.diffuse = albedo * max(Real(1.0) - taken, Real(0.0));
   s.geometric = normal;
+  s.two = false;
+  s.second = fitted.lobe;
+  s.second_inv_share = Real(0.0);
   s.tilted = false;
   s.corrected = false;
   s.max_ratio = Real(1.0);
   return s;
+}
+
+/// Adds a second lobe to what make_surface made.
+FN Surface add_second_lobe(Surface s, SecondLobe second) {
+  Real weight = min(max(second.weight, Real(0.0)), Real(1.0));
+  Real first = Real(1.0) - weight;
+  s.two = true;
+  s.second = second.lobe;
+  s.second_inv_share =
+      weight * reciprocal(max(share_above_horizon(second.lobe), Real(k_min_share)));
+  s.inv_share = first * s.inv_share;
+  Vec3 mean = safe_direction(safe_direction(mean_above_horizon(s.fitted.lobe)) * first +
+                             safe_direction(mean_above_horizon(second.lobe)) * weight);
+  s.axis_weight =
+      s.fitted.n5 * reciprocal(max(s.fitted.n1, Real(k_tiny))) - fresnel_weight(s.wo, mean);
+  return s;
+}
+
+/// Density of all the lobes above the horizon, 1 over the hemisphere.
+FN Real eval_lobes(Surface s, Vec3 wi) {
+  Real density = s.inv_share * eval_lobe(s.fitted.lobe, wi);
+  if (s.two) {
+    density = density + s.second_inv_share * eval_lobe(s.second, wi);
+  }
+  return density;
+}
+
+/// The share that a light fills of all that the lobes have above the horizon, 0..1.
+FN Real filled_share(Surface s, LightIntegral integral) {
+  Real share = integral.specular * s.inv_share;
+  if (s.two) {
+    share = share + integral.second * s.second_inv_share;
+  }
+  return min(share, Real(1.0));
+}
+
+/// The integrals over a light with those of the second lobe, from an integral of that one as if it were
+/// the first. Mean direction and concentration are means, weighted by what each lobe has.
+FN LightIntegral with_second_lobe(Surface s, LightIntegral first, LightIntegral second) {
+  Real a = first.specular * s.inv_share;
+  Real b = second.specular * s.second_inv_share;
+  Real inv = reciprocal(max(a + b, Real(k_tiny)));
+  LightIntegral both = first;
+  both.second = second.specular;
+  both.specular_direction =
+      safe_direction(first.specular_direction * (a * inv) + second.specular_direction * (b * inv));
+  both.concentration = (first.concentration * a + second.concentration * b) * inv;
+  return both;
 }
 
 /// Asks for the ratio at the mean direction: see blended_ratio.
@@ -107,6 +163,7 @@ FN LightIntegral unless_in_plane(Surface s, Vec3 origin, Vec3 normal, LightInteg
   Mask sided = has_side(s, origin, normal);
   integral.diffuse = select(sided, integral.diffuse, Real(0.0));
   integral.specular = select(sided, integral.specular, Real(0.0));
+  integral.second = select(sided, integral.second, Real(0.0));
   return integral;
 }
 
@@ -115,6 +172,7 @@ FN LightIntegral unless_hidden(Surface s, Heights heights, LightIntegral integra
   Mask seen = heights.high > Real(0.0) && heights.high * heights.high > s.position_error2;
   integral.diffuse = select(seen, integral.diffuse, Real(0.0));
   integral.specular = select(seen, integral.specular, Real(0.0));
+  integral.second = select(seen, integral.second, Real(0.0));
   return integral;
 }
 
@@ -161,7 +219,7 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
 /// of two small numbers does no harm where a light is large. Two halves of a quad differ from the whole
 /// by 1 in 100 of it, and a furnace is kept within 1.5: see docs/method.md.
 FN Real blended_ratio(Surface s, Vec3 wi, Real w) {
-  Real lobe = s.fitted.n1 * s.inv_share * eval_lobe(s.fitted.lobe, wi);
+  Real lobe = s.fitted.n1 * eval_lobes(s, wi);
   Real rho = min(eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
   Real larger = max(max(rho, lobe), Real(k_tiny));
   Real ratio = Real(1.0) - w * (Real(1.0) - min(rho, lobe) / larger);
@@ -184,7 +242,7 @@ FN Vec3 both_parts(ShadedLight shaded) { return shaded.diffuse + shaded.specular
 
 /// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
 FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
-  Real share = min(integral.specular * s.inv_share, Real(1.0));
+  Real share = filled_share(s, integral);
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   Real filled = share;
@@ -206,9 +264,9 @@ FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
 /// times n1 times the lobe's density above the horizon (MATHS section 5).
 FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
   // Clipped to the surface's horizon like the polygon integral.
-  Real density = select(wi_shading.z > Real(0.0), eval_lobe(s.fitted.lobe, wi_shading), Real(0.0));
+  Real density = select(wi_shading.z > Real(0.0), eval_lobes(s, wi_shading), Real(0.0));
   Vec3 fresnel = s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, wi_shading);
-  return s.diffuse * eval_lambert(wi_shading) + fresnel * (s.fitted.n1 * s.inv_share * density);
+  return s.diffuse * eval_lambert(wi_shading) + fresnel * (s.fitted.n1 * density);
 }
 
 /// Probability with which sample_surface draws from GGX rather than from the cosine.

@@ -19,6 +19,12 @@ struct FittedLobe {
   Real n5;   ///< its Schlick-weighted part
 };
 
+/// A second lobe beside a fitted one: the two share n1.
+struct SecondLobe {
+  Lobe lobe;   ///< normalised: its integral is 1
+  Real weight; ///< its share of n1, 0..1; the first has the rest
+};
+
 /// Texture coordinate of a table axis, whose texels are its nodes: x in [0, 1] over N nodes. The
 /// half-texel rule: a texture's own 0 and 1 are half a texel outside of its first and last node.
 FN Real table_coordinate(Real x, Real size) {

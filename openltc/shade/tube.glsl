@@ -306,6 +306,11 @@ FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
   }
   LightIntegral integral =
       integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe, front_shading(s), heights, cut);
+  if (s.two) {
+    integral = with_second_lobe(
+        s, integral,
+        integrate_tube_part(tube, s.position, s.frame, s.second, front_shading(s), heights, cut));
+  }
   if (cut) {
     return unless_hidden(s, heights, integral);
   }
@@ -325,10 +330,19 @@ FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral)
   if (!s.corrected) {
     return shade_integral(s, integral);
   }
-  Real share = min(integral.specular * s.inv_share, Real(1.0));
+  Real share = filled_share(s, integral);
   Real w = ratio_weight(integral, share);
-  SegmentRatio ratio =
-      segment_ratio(s, lifted_end(s, tube, tube.from), lifted_end(s, tube, tube.to), w);
+  Vec3 from = lifted_end(s, tube, tube.from);
+  Vec3 to = lifted_end(s, tube, tube.to);
+  SegmentRatio ratio = segment_ratio(s, s.fitted.lobe, from, to, w);
+  if (s.two) {
+    // Each lobe's own, in proportion to what it has of the light.
+    SegmentRatio second = segment_ratio(s, s.second, from, to, w);
+    Real part = integral.second * s.second_inv_share;
+    Real mix = part * reciprocal(max(integral.specular * s.inv_share + part, Real(k_tiny)));
+    ratio.scale = ratio.scale + (second.scale - ratio.scale) * mix;
+    ratio.bias = ratio.bias + (second.bias - ratio.bias) * mix;
+  }
   // The thicker the tube, the less its axis tells of the direction that its light comes from.
   Mask along = ratio.scale > Real(0.0);
   Real direct = fresnel_weight(s.wo, integral.specular_direction);
