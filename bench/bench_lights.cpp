@@ -231,16 +231,26 @@ const NamedPeak k_peaks[] = {
 #endif
 };
 
-/// Quads to be shaded in two ways.
+Work of_form(Work work, testing::ShadingForm form) {
+  for (LightBatch& batch : work.batches)
+    batch.form = form;
+  return work;
+}
+
+/// Quads to be shaded in several ways.
 struct Quads {
   std::string name;
   Work evenly;  ///< returns what the usual formulation does
-  Work fresnel; ///< as the renderer shades: Fresnel's reflectance in the mean direction
+  Work fresnel; ///< by one lobe, Fresnel's reflectance in the mean direction
+  Work ratio;   ///< and the BRDF's ratio to the lobe there
+  Work two;     ///< by two lobes
+  Work two_ratio;
 
-  Quads(const char* n, const Work& work) : name(n), evenly(work), fresnel(work) {
-    for (LightBatch& batch : evenly.batches)
-      batch.even_reflectance = true;
-  }
+  Quads(const char* n, const Work& work)
+      : name(n), evenly(of_form(work, testing::ShadingForm::even)), fresnel(work),
+        ratio(of_form(work, testing::ShadingForm::ratio)),
+        two(of_form(work, testing::ShadingForm::two)),
+        two_ratio(of_form(work, testing::ShadingForm::two_ratio)) {}
 };
 
 double mean_operations(const Work& work) {
@@ -304,6 +314,10 @@ int main(int argc, char** argv) {
     for (const Quads& q : quads) {
       add_benchmark(q.name + suffix, run_target, std::cref(q.evenly), target.shade);
       add_benchmark(q.name + "_fresnel" + suffix, run_target, std::cref(q.fresnel), target.shade);
+      add_benchmark(q.name + "_ratio" + suffix, run_target, std::cref(q.ratio), target.shade);
+      add_benchmark(q.name + "_two" + suffix, run_target, std::cref(q.two), target.shade);
+      add_benchmark(q.name + "_two_ratio" + suffix, run_target, std::cref(q.two_ratio),
+                    target.shade);
     }
     for (int k = 0; k < testing::k_light_shapes; ++k)
       add_benchmark(testing::shape_name(testing::shape_of_index(k)) + suffix, run_target,
@@ -318,6 +332,19 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   Keeper keeper;
   benchmark::RunSpecifiedBenchmarks(&keeper);
+  for (const LightTarget& target : testing::light_targets())
+    for (const Quads& q : quads) {
+      const auto ns = [&](const char* form) {
+        return keeper.value(q.name + form + "/" + target.name + " ns/eval");
+      };
+      const double one = ns("_fresnel");
+      if (one > 0)
+        std::printf(
+            "%s, %s: over one lobe's time, with the ratio %.2f, two lobes %.2f, two with the "
+            "ratio %.2f\n",
+            q.name.c_str(), target.name, ns("_ratio") / one, ns("_two") / one,
+            ns("_two_ratio") / one);
+    }
 
   for (const Quads& q : quads) {
     const double usual = keeper.value(q.name + "/usual ns/eval");

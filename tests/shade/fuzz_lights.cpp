@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -79,17 +80,25 @@ const char* complaint(LightShape shape, const LightAnswers& a, int i) {
 
 /// What a target makes of a batch: its integrals, and its light as a renderer asks for it.
 struct Evaluated {
-  LightAnswers integrals, rendered;
+  static constexpr testing::ShadingForm k_forms[] = {
+      testing::ShadingForm::lobe, testing::ShadingForm::ratio, testing::ShadingForm::two,
+      testing::ShadingForm::two_ratio};
+  LightAnswers integrals, rendered[std::size(k_forms)];
 
-  Evaluated(const LightTarget& target, const LightBatch& batch) {
+  Evaluated(const LightTarget& target, LightBatch batch) {
     const LobeTableView table = table::builtin_ggx_table().view();
     target.evaluate(batch, table, &integrals);
-    rendered = integrals;
-    target.shade(batch, table, rendered.shaded);
+    for (std::size_t k = 0; k < std::size(k_forms); ++k) {
+      batch.form = k_forms[k];
+      rendered[k] = integrals;
+      target.shade(batch, table, rendered[k].shaded);
+    }
   }
   const char* complaint_of(LightShape shape, int i) const {
     const char* what = complaint(shape, integrals, i);
-    return what ? what : complaint(shape, rendered, i);
+    for (const LightAnswers& answers : rendered)
+      if (!what) what = complaint(shape, answers, i);
+    return what;
   }
 };
 
@@ -127,7 +136,9 @@ int replay(LightShape shape, std::uint64_t seed) {
     std::printf("%s\n", target.name);
     for (int i = 0; i < k_batch; ++i) {
       const char* what = evaluated.complaint_of(shape, i);
-      if (what) print_lane(lights[std::size_t(i)], evaluated.rendered, i, what);
+      if (what)
+        for (const LightAnswers& answers : evaluated.rendered)
+          print_lane(lights[std::size_t(i)], answers, i, what);
       wrong += what != nullptr;
     }
   }

@@ -27,6 +27,16 @@ constexpr int k_light_shapes = 9;
 /// As many lights as the widest registers hold.
 constexpr int k_batch = 16;
 
+/// How ShadeLights shades.
+enum class ShadingForm {
+  even, ///< polygons: the specular albedo taken for the reflectance of the whole lobe, as renderers
+        ///< usually do, instead of Fresnel's reflectance in the mean direction
+  lobe, ///< as engines do it: one lobe
+  ratio,     ///< times the BRDF's ratio to it in the mean direction
+  two,       ///< with a second lobe, of 0.3: that of twice the width
+  two_ratio, ///< and the ratio to both
+};
+
 struct LightBatch {
   LightShape shape = LightShape::sphere;
   PolygonView polygon; ///< of rectangles and polygons: the same for all
@@ -36,9 +46,7 @@ struct LightBatch {
   float a[3][k_batch], b[3][k_batch], c[3][k_batch];
   float radius[k_batch];
   float two_sided[k_batch]; ///< 0 or 1; ellipses
-  /// Polygons, of ShadeLights: the specular albedo taken for the reflectance of the whole lobe, as
-  /// renderers usually do, instead of Fresnel's reflectance in the mean direction.
-  bool even_reflectance = false;
+  ShadingForm form = ShadingForm::lobe;
 };
 
 /// What the dialect makes of each, radiance 1.
