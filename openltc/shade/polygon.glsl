@@ -25,7 +25,7 @@ struct SmallPolygon {
 };
 
 /// 2 pi times the vector irradiance of a part of a light around p: its density times its solid
-/// angle (MATHS section 5). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
+/// angle (docs/method.md, section 9). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
 /// space, o = M^-1 p.
 FN Vec3 small_part_term(Vec3 p, Real area_height, Lobe lobe) {
   Vec3 o = to_cosine(lobe, p);

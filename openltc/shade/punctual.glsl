@@ -4,8 +4,8 @@
 // Point, spot and directional lights: no extent, so no integral; the density of the light's one
 // direction is evaluated.
 //
-// Source: KHR_lights_punctual (inverse square law, cone and range); MATHS section 5 for the LTC
-// form: the limit of the integral of D over a small light is D(w) times its solid angle.
+// Source: KHR_lights_punctual (inverse square law, cone and range); docs/method.md, section 9, for the
+// LTC form: the limit of the integral of D over a small light is D(w) times its solid angle.
 
 /// Window that brings a light's contribution smoothly to zero at its range, as
 /// KHR_lights_punctual recommends: max(min(1 - (d/r)^4, 1), 0). range = 0 means unlimited.

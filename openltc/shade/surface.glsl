@@ -157,7 +157,7 @@ FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
 }
 
 /// The LTC approximation of eval_surface, the limit of shade_polygon for a small light: Fresnel
-/// times n1 times the lobe's density above the horizon (MATHS section 5).
+/// times n1 times the lobe's density above the horizon (docs/method.md, section 9).
 FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
   // Clipped to the surface's horizon like the polygon integral.
   Real density = select(wi_shading.z > Real(0.0), eval_lobe(s.fitted.lobe, wi_shading), Real(0.0));

@@ -23,8 +23,8 @@ struct LobeTableView {
 
 /// View of the polynomial form of fitted lobes; see shade/polynomial.glsl.
 struct LobePolynomialView {
-  /// (degree + 1)(degree + 2)/2 terms of 8 floats each, A B C D n1 n5 0 0, the coefficients of
-  /// T_i(u) T_j(v): j from 0 slow, i from 0 to degree - j fast.
+  /// (degree + 1)(degree + 2)/2 terms of 8 floats each, A B C D n1 s 0 0 with s = (n5/n1)^(1/5),
+  /// the coefficients of T_i(u) T_j(v): j from 0 slow, i from 0 to degree - j fast.
   const float* coefficients = nullptr;
   int degree = 0;
 };
