@@ -14,9 +14,9 @@
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f32.h"
 #include "openltc/target/shade_f64.h"
-#include "parity.h"
-#include "polygon_fixture.h"
-#include "random.h"
+#include "tests/shade/parity/parity.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/random.h"
 
 #include <doctest/doctest.h>
 
@@ -29,10 +29,10 @@
 #include <vector>
 
 namespace openltc::f32 {
-#include "parity_body.inc"
+#include "tests/shade/parity/parity_body.inc"
 }
 namespace openltc::f64 {
-#include "parity_body.inc"
+#include "tests/shade/parity/parity_body.inc"
 }
 
 using namespace openltc;

@@ -4,8 +4,8 @@
 // The integral over a light by its definition: density times cosine at the light over distance
 // squared, summed over the light's surface by rows.
 
-#include "light_reference.h"
-#include "quadrature_1d.h"
+#include "tests/shade/lights/light_reference.h"
+#include "tests/shade/quadrature_1d.h"
 
 #include <algorithm>
 #include <cmath>

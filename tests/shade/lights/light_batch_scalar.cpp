@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "light_batch.h"
 #include "openltc/target/vec.h"
+#include "tests/shade/lights/light_batch.h"
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ using Scalar = float;
 // clang-format off
 #include "openltc/target/scalar.inc"
 #include "openltc/target/shade_all.inc"
-#include "light_batch_body.inc"
+#include "tests/shade/lights/light_batch_body.inc"
 // clang-format on
 } // namespace light_batch_scalar
 

@@ -8,10 +8,10 @@
 // infinity, nothing negative, no integral above 1 (lines, whose integrals are per metre, have no
 // such bound) and no more light reflected than the light's radiance. Exit 1 on a violation.
 
-#include "light_fixture.h"
-#include "light_targets.h"
 #include "openltc/base/parallel.h"
 #include "openltc/table/lobe_table.h"
+#include "tests/shade/lights/light_fixture.h"
+#include "tests/shade/lights/light_targets.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "light_fixture.h"
+#include "tests/shade/lights/light_fixture.h"
 
 #include "openltc/table/lobe_table.h"
 
@@ -11,7 +11,7 @@
 namespace openltc::f64 {
 #define FN inline
 #define FN_CALL inline
-#include "light_batch_body.inc"
+#include "tests/shade/lights/light_batch_body.inc"
 #undef FN_CALL
 #undef FN
 } // namespace openltc::f64

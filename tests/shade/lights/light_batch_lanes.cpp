@@ -3,8 +3,8 @@
 //
 // Compiled once per instruction set, OPENLTC_ISA naming it, with the flags of the shading kernels.
 
-#include "light_batch.h"
 #include "openltc/target/vec.h"
+#include "tests/shade/lights/light_batch.h"
 
 #include <hwy/highway.h>
 // Highway asks for this order.
@@ -21,7 +21,7 @@ namespace OPENLTC_LANES_NAMESPACE {
 // clang-format off
 #include "openltc/target/lanes.inc"
 #include "openltc/target/shade_all.inc"
-#include "light_batch_body.inc"
+#include "tests/shade/lights/light_batch_body.inc"
 // clang-format on
 } // namespace OPENLTC_LANES_NAMESPACE
 

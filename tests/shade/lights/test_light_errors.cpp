@@ -5,8 +5,8 @@
 // would show, and in float, the figures that the documentation states. `tools/light_figures.sh`
 // measures the same on many more lights.
 
-#include "light_errors.h"
-#include "light_reference.h"
+#include "tests/shade/lights/light_errors.h"
+#include "tests/shade/lights/light_reference.h"
 
 #include <doctest/doctest.h>
 

@@ -4,8 +4,8 @@
 // The published formulas as written down here, where they must be exact: what they approximate away
 // is not at work there. Otherwise a comparison with them would say nothing.
 
-#include "light_reference.h"
-#include "published_formulas.h"
+#include "tests/shade/lights/light_reference.h"
+#include "tests/shade/lights/published_formulas.h"
 
 #include <doctest/doctest.h>
 

@@ -4,9 +4,9 @@
 // What lies behind the triangle's plane is hidden by it, whatever the shading normal says: lights
 // of every shape, cut by a third plane, against quadrature over what is left of their surface.
 
-#include "light_fixture.h"
-#include "light_reference.h"
 #include "openltc/table/lobe_table.h"
+#include "tests/shade/lights/light_fixture.h"
+#include "tests/shade/lights/light_reference.h"
 
 #include <doctest/doctest.h>
 

@@ -5,9 +5,9 @@
 // curved boundary is the contour integral used here; outlines of spheres and tubes from where the
 // line of sight is tangent, (x - c) . x = 0 with the point at the origin.
 
-#include "light_reference.h"
+#include "tests/shade/lights/light_reference.h"
 
-#include "quadrature_1d.h"
+#include "tests/shade/quadrature_1d.h"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 // What cannot be read but can be spared costs a warning, not the file; and whether a file describes
 // lights.
 
-#include "gltf_builder.h"
 #include "openltc/image/file.h"
 #include "tests/image/make_picture.h"
+#include "tests/scene/gltf_builder.h"
 
 #include <doctest/doctest.h>
 

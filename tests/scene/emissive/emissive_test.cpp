@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "gltf_builder.h"
 #include "openltc/light/polygon.h"
 #include "openltc/scene/emissive/emissive.h"
+#include "tests/scene/gltf_builder.h"
 
 #include <doctest/doctest.h>
 

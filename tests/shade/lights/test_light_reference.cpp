@@ -3,7 +3,7 @@
 //
 // The reference that lights are measured against, against quadrature of the light's definition.
 
-#include "light_reference.h"
+#include "tests/shade/lights/light_reference.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "published_formulas.h"
+#include "tests/shade/lights/published_formulas.h"
 
 #include "openltc/table/clipped_sphere.h"
 

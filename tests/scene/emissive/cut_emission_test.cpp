@@ -7,7 +7,7 @@
 #include "openltc/light/emission_stack.h"
 #include "openltc/light/polygon.h"
 #include "openltc/scene/emissive/emissive.h"
-#include "round_meshes.h"
+#include "tests/scene/emissive/round_meshes.h"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 
 #include "openltc/target/resources.h"
 #include "openltc/target/vec.h"
-#include "parity.h"
+#include "tests/shade/parity/parity.h"
 
 #include <hwy/highway.h>
 // Highway asks for this order.
@@ -20,7 +20,7 @@ namespace OPENLTC_LANES_NAMESPACE {
 
 #include "openltc/target/lanes.inc"
 #include "openltc/target/shade_all.inc"
-#include "parity_body.inc"
+#include "tests/shade/parity/parity_body.inc"
 
 } // namespace OPENLTC_LANES_NAMESPACE
 

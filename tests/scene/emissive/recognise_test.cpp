@@ -3,7 +3,6 @@
 
 // Round lights in meshes: what is one, what is none, and that the flux stays what it was.
 
-#include "gltf_builder.h"
 #include "openltc/light/curved.h"
 #include "openltc/light/ellipse.h"
 #include "openltc/light/line.h"
@@ -11,7 +10,8 @@
 #include "openltc/light/punctual.h"
 #include "openltc/scene/emissive/emissive.h"
 #include "openltc/scene/emissive/light_surface.h"
-#include "round_meshes.h"
+#include "tests/scene/emissive/round_meshes.h"
+#include "tests/scene/gltf_builder.h"
 
 #include <doctest/doctest.h>
 

@@ -4,9 +4,9 @@
 // Promises of every light shape: nothing leaks from below the horizon, parts add up to the whole,
 // and a light that shrinks becomes a point light.
 
-#include "light_fixture.h"
-#include "light_reference.h"
 #include "openltc/table/lobe_table.h"
+#include "tests/shade/lights/light_fixture.h"
+#include "tests/shade/lights/light_reference.h"
 
 #include <doctest/doctest.h>
 

@@ -5,10 +5,10 @@
 
 #pragma once
 
-#include "light_batch.h"
 #include "openltc/target/shade_f32.h"
-#include "polygon_fixture.h"
-#include "random.h"
+#include "tests/shade/lights/light_batch.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/random.h"
 
 #include <memory>
 

@@ -11,7 +11,7 @@
 
 #pragma once
 
-#include "light_fixture.h"
+#include "tests/shade/lights/light_fixture.h"
 
 namespace openltc::testing {
 

@@ -8,7 +8,7 @@
 #include "openltc/light/polygon.h"
 #include "openltc/scene/emissive/emissive.h"
 #include "openltc/scene/emissive/ring_overlap.h"
-#include "round_meshes.h"
+#include "tests/scene/emissive/round_meshes.h"
 
 #include <doctest/doctest.h>
 

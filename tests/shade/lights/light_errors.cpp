@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "light_errors.h"
+#include "tests/shade/lights/light_errors.h"
 
-#include "light_reference.h"
 #include "openltc/base/parallel.h"
-#include "published_formulas.h"
+#include "tests/shade/lights/light_reference.h"
+#include "tests/shade/lights/published_formulas.h"
 
 #include <algorithm>
 #include <cmath>

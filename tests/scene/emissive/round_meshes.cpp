@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "round_meshes.h"
+#include "tests/scene/emissive/round_meshes.h"
 
 #include <cmath>
 #include <numbers>

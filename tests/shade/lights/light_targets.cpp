@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "light_targets.h"
+#include "tests/shade/lights/light_targets.h"
 
 #include "openltc/base/processor.h"
 
