@@ -17,6 +17,7 @@
 
 #include "openltc/light/curved.h"
 #include "openltc/light/ellipse.h"
+#include "openltc/light/emission_outline.h"
 #include "openltc/light/emitter.h"
 #include "openltc/light/line.h"
 #include "openltc/light/picture_part.h"
@@ -33,8 +34,6 @@ namespace {
 
 // Small enough a grid to be cheap, fine enough that a disk's rim shows.
 constexpr int k_min_side = 32;
-// Lines along which a texel's cover is measured.
-constexpr int k_lines_per_row = 4;
 // What a texel of the finest level takes: with all levels and its cell; while they are made.
 constexpr std::uint64_t k_texel_bytes = 26, k_working_bytes = 56;
 
@@ -42,71 +41,6 @@ void copy3(float* out, Vec3d v) {
   out[0] = float(v.x);
   out[1] = float(v.y);
   out[2] = float(v.z);
-}
-
-// A plane with a frame: the picture's u axis and what is across it.
-struct PlaneFrame {
-  Vec3d origin, u, v;
-  Vec2d in_plane(Vec3d p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
-};
-
-struct Edge {
-  Vec2d a, b;
-};
-
-// What is inside along a line of constant y: pairs of x, ascending.
-using Spans = std::vector<double>;
-
-struct PolygonOutline {
-  std::vector<Edge> edges;
-  void spans_at(double y, Spans& spans) const {
-    spans.clear();
-    for (const Edge& e : edges)
-      if ((e.a.y > y) != (e.b.y > y))
-        spans.push_back(e.a.x + (y - e.a.y) * (e.b.x - e.a.x) / (e.b.y - e.a.y));
-    std::sort(spans.begin(), spans.end());
-  }
-};
-
-// Points (x, y) = s axis_0 + t axis_1 with s^2 + t^2 <= 1 about a centre.
-struct EllipseOutline {
-  Vec2d center, axis_0, axis_1;
-  void spans_at(double y, Spans& spans) const {
-    spans.clear();
-    // With h = sqrt(axis_0.y^2 + axis_1.y^2), heights reach h; the chord's middle and half length
-    // follow from the unit circle turned so that its y axis is (axis_0.y, axis_1.y) / h.
-    const double h2 = axis_0.y * axis_0.y + axis_1.y * axis_1.y;
-    const double sine = (y - center.y) / std::sqrt(h2);
-    if (!(std::abs(sine) < 1)) return;
-    const double determinant = std::abs(axis_0.x * axis_1.y - axis_0.y * axis_1.x);
-    const double middle =
-        center.x + sine * (axis_0.x * axis_0.y + axis_1.x * axis_1.y) / std::sqrt(h2);
-    const double half = std::sqrt(1 - sine * sine) * determinant / std::sqrt(h2);
-    spans.push_back(middle - half);
-    spans.push_back(middle + half);
-  }
-};
-
-struct Box {
-  Vec2d lower{1e300, 1e300}, upper{-1e300, -1e300};
-  void add(Vec2d p) {
-    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
-    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
-  }
-};
-
-// The plane's frame: origin anywhere in it. No value when the picture has no direction in it.
-bool make_frame(const Emitter& light, Vec3d origin, Vec3d normal, PlaneFrame& frame) {
-  const Vec3d along = to_double(light.texture_u);
-  const Vec3d in_plane = along - normal * dot(along, normal);
-  const double size = length(in_plane);
-  if (!(size > 1e-6 * length(along)) || !std::isfinite(size)) return false;
-  frame.origin = origin;
-  frame.u = in_plane / size;
-  // v grows downwards in a picture that is upright: on the side that its own v axis points to.
-  const Vec3d across = cross(normal, frame.u);
-  frame.v = dot(across, to_double(light.texture_v)) < 0 ? -across : across;
-  return true;
 }
 
 int power_of_two_at_least(double x) {
@@ -120,28 +54,6 @@ struct Level {
   int columns, rows;
   std::vector<float> texels; // 4 floats each
 };
-
-// The light's share of each texel, 0 to 1: exact along lines, k_lines_per_row of them a row.
-template <class Outline>
-std::vector<float> coverage(const Outline& outline, const Box& box, int columns, int rows) {
-  std::vector<float> cover(std::size_t(columns) * std::size_t(rows), 0.0f);
-  const double width = box.upper.x - box.lower.x, height = box.upper.y - box.lower.y;
-  Spans spans;
-  for (int y = 0; y < rows; ++y) {
-    float* row = cover.data() + std::size_t(y) * std::size_t(columns);
-    for (int line = 0; line < k_lines_per_row; ++line) {
-      const double at = (y + (line + 0.5) / k_lines_per_row) / rows;
-      outline.spans_at(box.lower.y + at * height, spans);
-      for (std::size_t i = 0; i + 1 < spans.size(); i += 2) {
-        const double from = std::clamp((spans[i] - box.lower.x) / width, 0.0, 1.0) * columns;
-        const double to = std::clamp((spans[i + 1] - box.lower.x) / width, 0.0, 1.0) * columns;
-        for (int x = int(from); x < std::min(int(std::ceil(to)), columns); ++x)
-          row[x] += float(std::min(to, x + 1.0) - std::max(from, double(x))) / k_lines_per_row;
-      }
-    }
-  }
-  return cover;
-}
 
 // Texels 2i - 1 .. 2i + 2 by 1 3 3 1, those that there are. `stride` floats from one to the next.
 void decimate(const float* from, int count, std::size_t stride, float* to, std::size_t to_stride) {
@@ -192,7 +104,7 @@ std::vector<float> mean_of(const Level& level) {
 
 template <class Outline>
 Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
-                            const PlaneFrame& frame, const Outline& outline, const Box& box,
+                            const PlaneFrame& frame, const Outline& outline, const PlaneBox& box,
                             const EmissionStackOptions& options) {
   const Vec2d size = box.upper - box.lower;
   if (!(size.x > 0) || !(size.y > 0)) return wrong_light(light.name, "its outline has no extent");
@@ -245,7 +157,7 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
                     frame.v * ((y + 0.5) / level.rows * size.y) - to_double(light.texture_corner);
     return Vec2d(dot(p, u_gradient), dot(p, v_gradient));
   };
-  Box shown;
+  PlaneBox shown;
   for (const int x : {0, level.columns - 1})
     for (const int y : {0, level.rows - 1})
       shown.add(place_of(x, y));
@@ -310,32 +222,6 @@ Vec3d normal_of(const EllipseLight& light) {
   return normalize(cross(to_double(light.half_u), to_double(light.half_v)));
 }
 
-EllipseOutline outline_of(const EllipseLight& light, const PlaneFrame& frame, Box& box) {
-  const auto direction = [&](Vec3f v) {
-    return Vec2d(dot(to_double(v), frame.u), dot(to_double(v), frame.v));
-  };
-  const EllipseOutline outline{frame.in_plane(to_double(light.center)), direction(light.half_u),
-                               direction(light.half_v)};
-  const Vec2d reach(std::hypot(outline.axis_0.x, outline.axis_1.x),
-                    std::hypot(outline.axis_0.y, outline.axis_1.y));
-  box.add(outline.center - reach);
-  box.add(outline.center + reach);
-  return outline;
-}
-
-PolygonOutline outline_of(const PolygonLight& light, const PlaneFrame& frame, Box& box) {
-  PolygonOutline outline;
-  for (std::size_t ring = 0; ring < light.ring_end.size(); ++ring) {
-    const std::span<const Vec3f> points = ring_vertices(light, ring);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec2d a = frame.in_plane(to_double(points[i]));
-      box.add(a);
-      outline.edges.push_back({a, frame.in_plane(to_double(points[(i + 1) % points.size()]))});
-    }
-  }
-  return outline;
-}
-
 // The picture's corners from the box of the outline in a frame whose v is downwards.
 template <class Light>
 void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) {
@@ -347,7 +233,7 @@ void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) 
   light.texture_v = Vec3f(float(down.x), float(down.y), float(down.z));
   PlaneFrame frame;
   if (!make_frame(light, origin, normal, frame)) return;
-  Box box;
+  PlaneBox box;
   outline_of(light, frame, box);
   float values[3];
   copy3(values, frame.origin + frame.u * box.lower.x + frame.v * box.lower.y);
@@ -374,7 +260,7 @@ Result<EmissionStack> build_emission_stack(const image::Texels& picture, const P
   PlaneFrame frame;
   if (!make_frame(light, to_double(light.vertices[0]), to_double(light.normal), frame))
     return wrong_light(light.name, k_no_direction);
-  Box box;
+  PlaneBox box;
   const PolygonOutline outline = outline_of(light, frame, box);
   return build(picture, light, frame, outline, box, options);
 }
@@ -386,7 +272,7 @@ Result<EmissionStack> build_emission_stack(const image::Texels& picture, const E
   PlaneFrame frame;
   if (!make_frame(light, to_double(light.center), normal_of(light), frame))
     return wrong_light(light.name, k_no_direction);
-  Box box;
+  PlaneBox box;
   const EllipseOutline outline = outline_of(light, frame, box);
   return build(picture, light, frame, outline, box, options);
 }
