@@ -104,6 +104,8 @@ FN Real emission_share_above(Real height, Real rise) {
 /// Where `cut`, the mean over what is in front of the plane with unit normal `front` (shading space).
 FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame frame, Lobe lobe,
                                 Vec3 mean_direction, Vec3 front, bool cut) {
+  ASSERT_THAT(is_unit(mean_direction));
+  ASSERT_THAT(!cut || all_lanes(is_unit(front)));
   Vec2 extent = emission_extent(emission);
   Vec3 axis_u = to_shading(frame, emission_axis_u(emission));
   Vec3 axis_v = to_shading(frame, emission_axis_v(emission));

@@ -142,6 +142,7 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
 /// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
 FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position, Frame frame,
                                                  Lobe lobe, Vec3 front) {
+  ASSERT_THAT(is_unit(front));
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real h = dot(to_origin, polygon_normal(polygon));
   Real side = lit_side(polygon, h, to_origin);

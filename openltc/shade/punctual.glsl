@@ -10,6 +10,7 @@
 /// Window that brings a light's contribution smoothly to zero at its range, as
 /// KHR_lights_punctual recommends: max(min(1 - (d/r)^4, 1), 0). range = 0 means unlimited.
 FN Real range_window(Real distance2, Real range) {
+  ASSERT_THAT(distance2 >= Real(0.0));
   Real ratio2 = distance2 / max(range * range, Real(k_tiny));
   Real window = min(max(Real(1.0) - ratio2 * ratio2, Real(0.0)), Real(1.0));
   return select(range > Real(0.0), window, Real(1.0));

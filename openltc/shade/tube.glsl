@@ -39,6 +39,7 @@ struct TubeView {
 };
 
 FN TubeView tube_view(Tube tube, Vec3 position, Frame frame) {
+  ASSERT_THAT(tube.radius >= Real(0.0));
   TubeView view;
   view.from = to_shading(frame, tube.from - position);
   view.to = to_shading(frame, tube.to - position);

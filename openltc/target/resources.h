@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <cassert> // for the preludes: ASSERT_THAT
 #include <cstddef>
 #include <cstdint>
 

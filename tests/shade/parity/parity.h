@@ -35,4 +35,10 @@ int parity_lanes_sse4();
 int parity_lanes_avx2();
 int parity_lanes_avx512();
 
+/// Gives a normal that is no direction to a function that asks for one, in one lane.
+void parity_break_baseline();
+void parity_break_sse4();
+void parity_break_avx2();
+void parity_break_avx512();
+
 } // namespace openltc::testing

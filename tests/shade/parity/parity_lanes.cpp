@@ -44,5 +44,15 @@ int OPENLTC_PASTE(parity_run_, OPENLTC_ISA)(const float* in, int count,
 
 int OPENLTC_PASTE(parity_lanes_, OPENLTC_ISA)() { return lanes::k_lanes; }
 
+void OPENLTC_PASTE(parity_break_, OPENLTC_ISA)() {
+  alignas(64) float z[lanes::k_lanes];
+  for (int lane = 0; lane < lanes::k_lanes; ++lane)
+    z[lane] = lane + 1 < lanes::k_lanes ? 1.0f : 2.0f;
+  const lanes::Real zero = lanes::Real(0.0f);
+  const lanes::Vec3 up(zero, zero, lanes::Real(1.0f));
+  const lanes::Frame frame = lanes::shading_frame(lanes::Vec3(zero, zero, lanes::load(z)), up);
+  lanes::store(frame.n.z, z);
+}
+
 } // namespace testing
 } // namespace openltc

@@ -14,6 +14,7 @@
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f32.h"
 #include "openltc/target/shade_f64.h"
+#include "tests/base/last_words.h"
 #include "tests/shade/parity/parity.h"
 #include "tests/shade/polygon_fixture.h"
 #include "tests/shade/random.h"
@@ -367,3 +368,27 @@ TEST_CASE("lanes of AVX-512 agree with float") {
   check_lanes(testing::parity_run_avx512, testing::parity_lanes_avx512());
 }
 #endif
+
+TEST_CASE("what the dialect asks of its arguments is an assertion of every lane in debug builds") {
+  std::vector<void (*)()> broken;
+#ifdef OPENLTC_PARITY_BASELINE
+  broken.push_back(testing::parity_break_baseline);
+#endif
+#ifdef OPENLTC_PARITY_SSE4
+  if (has_sse4()) broken.push_back(testing::parity_break_sse4);
+#endif
+#ifdef OPENLTC_PARITY_AVX2
+  if (has_avx2()) broken.push_back(testing::parity_break_avx2);
+#endif
+#ifdef OPENLTC_PARITY_AVX512
+  if (has_avx512()) broken.push_back(testing::parity_break_avx512);
+#endif
+  for (void (*const break_precondition)() : broken) {
+    const std::string words = test::last_words_of(break_precondition);
+#ifdef NDEBUG
+    CHECK(words == "");
+#else
+    CHECK(words.find("is_unit(n)") != std::string::npos);
+#endif
+  }
+}
