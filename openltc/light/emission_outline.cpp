@@ -70,7 +70,7 @@ bool make_frame(const Emitter& light, Vec3d origin, Vec3d normal, PlaneFrame& fr
   if (!(size > 1e-6 * length(along)) || !std::isfinite(size)) return false;
   frame.origin = origin;
   frame.u = in_plane / size;
-  // v grows downwards in a picture that is upright: on the side that its own v axis points to.
+  // v grows downwards in a texture that is upright: on the side that its own v axis points to.
   const Vec3d across = cross(normal, frame.u);
   frame.v = dot(across, to_double(light.texture_v)) < 0 ? -across : across;
   return true;

@@ -3,7 +3,7 @@
 //
 // Sources:
 //   Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed
-//     Cosines", section 5.2 (textured lights: prefilter the picture and what is around it);
+//     Cosines", section 5.2 (textured lights: prefilter the texture and what is around it);
 //   Burt, Adelson 1983, "The Laplacian Pyramid as a Compact Image Code" (a Gaussian by repeated
 //     small filters);
 //   Knutsson, Westin 1993, "Normalized and Differential Convolution" (image times mask over mask).
@@ -11,7 +11,7 @@
 // One level becomes the next by the filter [1 3 3 1] / 8 along rows, then columns, at every second
 // place. Its variance is 3/4 of a fine texel squared; repeated, v' = (v + 3/4) / 4 tends to v =
 // 1/4: a standard deviation of half a texel of whichever level. The light is surrounded by nothing:
-// both the picture times the outline and the outline itself are zero there.
+// both the texture times the outline and the outline itself are zero there.
 
 #include "openltc/light/emission_stack.h"
 
@@ -20,8 +20,8 @@
 #include "openltc/light/emission_outline.h"
 #include "openltc/light/emitter.h"
 #include "openltc/light/line.h"
-#include "openltc/light/picture_part.h"
 #include "openltc/light/polygon.h"
+#include "openltc/light/texture_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,18 +117,18 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   copy3(view.corner, box_corner);
   copy3(view.axis_u, frame.u);
   copy3(view.axis_v, frame.v);
-  copy3(view.picture_origin, to_double(light.texture_corner));
-  copy3(view.picture_u, u_gradient);
-  copy3(view.picture_v, v_gradient);
+  copy3(view.texture_origin, to_double(light.texture_corner));
+  copy3(view.texture_u, u_gradient);
+  copy3(view.texture_v, v_gradient);
   view.extent[0] = float(size.x);
   view.extent[1] = float(size.y);
-  stack.picture = source;
-  view.picture = source.colors();
-  view.picture_columns = source.width;
-  view.picture_rows = source.height;
-  view.picture_channels = source.color_channels();
+  stack.texture = source;
+  view.texture = source.colors();
+  view.texture_columns = source.width;
+  view.texture_rows = source.height;
+  view.texture_channels = source.color_channels();
 
-  // As many texels as the picture has pixels across the light, but no more than allowed.
+  // As many texels as the texture has pixels across the light, but no more than allowed.
   const auto pixels_along = [&](Vec3d axis, double extent) {
     return extent * std::max(std::abs(dot(axis, u_gradient)) * source.width,
                              std::abs(dot(axis, v_gradient)) * source.height);
@@ -140,7 +140,7 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   Level level{std::clamp(power_of_two_at_least(wanted_columns), min_side, max_side),
               std::clamp(power_of_two_at_least(wanted_rows), min_side, max_side),
               {}};
-  // A picture too fine for that is reduced by the same factor first.
+  // A texture too fine for that is reduced by the same factor first.
   const double excess_u = wanted_columns / level.columns, excess_v = wanted_rows / level.rows;
   const auto fewer = [](int pixels, double excess) {
     return std::clamp(int(std::ceil(pixels / std::max(excess, 1.0))), 1, pixels);
@@ -148,9 +148,9 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   const std::string name = light.name.empty() ? "a light" : light.name;
   MemoryShare working;
   const std::uint64_t texels = std::uint64_t(level.columns) * std::uint64_t(level.rows);
-  if (Status ok = stack.memory.take(texels * k_texel_bytes, name + ": its filtered picture"); !ok)
+  if (Status ok = stack.memory.take(texels * k_texel_bytes, name + ": its filtered texture"); !ok)
     return ok.error();
-  if (Status ok = working.take(texels * k_working_bytes, name + ": its picture's filter"); !ok)
+  if (Status ok = working.take(texels * k_working_bytes, name + ": its texture's filter"); !ok)
     return ok.error();
   const auto place_of = [&](int x, int y) {
     const Vec3d p = box_corner + frame.u * ((x + 0.5) / level.columns * size.x) +
@@ -161,17 +161,17 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   for (const int x : {0, level.columns - 1})
     for (const int y : {0, level.rows - 1})
       shown.add(place_of(x, y));
-  const Result<PicturePart> picture =
+  const Result<TexturePart> texture =
       reduced_part(source, fewer(source.width, excess_u), fewer(source.height, excess_v),
                    {shown.lower.x, shown.lower.y, shown.upper.x, shown.upper.y}, name);
-  if (!picture) return picture.error();
+  if (!texture) return texture.error();
 
   const std::vector<float> cover = coverage(outline, box, level.columns, level.rows);
   level.texels.resize(cover.size() * 4);
   for (int y = 0; y < level.rows; ++y)
     for (int x = 0; x < level.columns; ++x) {
       const Vec2d place = place_of(x, y);
-      const Vec3f value = picture->bilinear(place.x, place.y);
+      const Vec3f value = texture->bilinear(place.x, place.y);
       const std::size_t i = std::size_t(y) * std::size_t(level.columns) + std::size_t(x);
       float* texel = level.texels.data() + 4 * i;
       texel[0] = value.x * cover[i];
@@ -206,23 +206,23 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   return stack;
 }
 
-Status check_picture(const image::Texels& picture, const Emitter& light) {
-  if (picture.empty()) return wrong_light(light.name, "its emission picture is empty");
+Status check_texture(const image::Texels& texture, const Emitter& light) {
+  if (texture.empty()) return wrong_light(light.name, "its texture is empty");
   const float v2 = dot(light.texture_v, light.texture_v);
   const float u2 = dot(light.texture_u, light.texture_u);
   if (!(u2 > 0) || !(v2 > 0) || !std::isfinite(u2) || !std::isfinite(v2) ||
       !is_finite(light.texture_corner))
-    return wrong_light(light.name, "the axes of its emission picture have no length");
+    return wrong_light(light.name, "the axes of its texture have no length");
   return Success{};
 }
 
-constexpr const char* k_no_direction = "the picture's u axis runs along the light's normal";
+constexpr const char* k_no_direction = "the texture's u axis runs along the light's normal";
 
 Vec3d normal_of(const EllipseLight& light) {
   return normalize(cross(to_double(light.half_u), to_double(light.half_v)));
 }
 
-// The picture's corners from the box of the outline in a frame whose v is downwards.
+// The texture's corners from the box of the outline in a frame whose v is downwards.
 template <class Light>
 void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) {
   light.texture = texture;
@@ -245,7 +245,7 @@ void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) 
 }
 
 template <class Light>
-Vec3f picture_mean(const Light& light, const std::vector<image::Texels>& textures) {
+Vec3f texture_mean(const Light& light, const std::vector<image::Texels>& textures) {
   if (light.texture < 0 || std::size_t(light.texture) >= textures.size()) return Vec3f(1.0f);
   const auto stack = build_emission_stack(textures[std::size_t(light.texture)], light, {256});
   return stack.ok() ? stack->mean : Vec3f(1.0f);
@@ -253,43 +253,43 @@ Vec3f picture_mean(const Light& light, const std::vector<image::Texels>& texture
 
 } // namespace
 
-Result<EmissionStack> build_emission_stack(const image::Texels& picture, const PolygonLight& light,
+Result<EmissionStack> build_emission_stack(const image::Texels& texture, const PolygonLight& light,
                                            const EmissionStackOptions& options) {
   if (Status status = validate(light); !status.ok()) return status.error();
-  if (Status status = check_picture(picture, light); !status.ok()) return status.error();
+  if (Status status = check_texture(texture, light); !status.ok()) return status.error();
   PlaneFrame frame;
   if (!make_frame(light, to_double(light.vertices[0]), to_double(light.normal), frame))
     return wrong_light(light.name, k_no_direction);
   PlaneBox box;
   const PolygonOutline outline = outline_of(light, frame, box);
-  return build(picture, light, frame, outline, box, options);
+  return build(texture, light, frame, outline, box, options);
 }
 
-Result<EmissionStack> build_emission_stack(const image::Texels& picture, const EllipseLight& light,
+Result<EmissionStack> build_emission_stack(const image::Texels& texture, const EllipseLight& light,
                                            const EmissionStackOptions& options) {
   if (Status status = validate(light); !status.ok()) return status.error();
-  if (Status status = check_picture(picture, light); !status.ok()) return status.error();
+  if (Status status = check_texture(texture, light); !status.ok()) return status.error();
   PlaneFrame frame;
   if (!make_frame(light, to_double(light.center), normal_of(light), frame))
     return wrong_light(light.name, k_no_direction);
   PlaneBox box;
   const EllipseOutline outline = outline_of(light, frame, box);
-  return build(picture, light, frame, outline, box, options);
+  return build(texture, light, frame, outline, box, options);
 }
 
-Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Texels>& textures) {
-  return picture_mean(light, textures);
+Vec3f mean_of_texture(const PolygonLight& light, const std::vector<image::Texels>& textures) {
+  return texture_mean(light, textures);
 }
 
-Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Texels>& textures) {
-  return picture_mean(light, textures);
+Vec3f mean_of_texture(const EllipseLight& light, const std::vector<image::Texels>& textures) {
+  return texture_mean(light, textures);
 }
 
-void place_picture(PolygonLight& light, int texture, Vec3f u_axis) {
+void place_texture(PolygonLight& light, int texture, Vec3f u_axis) {
   place(light, texture, u_axis, to_double(light.vertices[0]), to_double(light.normal));
 }
 
-void place_picture(EllipseLight& light, int texture, Vec3f u_axis) {
+void place_texture(EllipseLight& light, int texture, Vec3f u_axis) {
   place(light, texture, u_axis, to_double(light.center), normal_of(light));
 }
 

@@ -62,11 +62,11 @@ struct ProfileView {
   int rows = 0;
 };
 
-/// Linear values of a picture in the precision of its file: exactly one of the three pointers is
+/// Linear values of a texture in the precision of its file: exactly one of the three pointers is
 /// set, and `table` with the first two: what each of the 256 or 65536 values stands for. Grey
-/// pictures, of `grey_channels` samples a pixel (grey and alpha; 0 = not grey), are read as if each
+/// textures, of `grey_channels` samples a pixel (grey and alpha; 0 = not grey), are read as if each
 /// pixel had three alike.
-struct EmissionPicture {
+struct TextureSamples {
   const float* floats = nullptr;
   const std::uint8_t* bits8 = nullptr;
   const std::uint16_t* bits16 = nullptr;
@@ -79,7 +79,7 @@ struct EmissionPicture {
   }
 };
 
-/// View of a light's emission picture: prefiltered, as light/emission_stack.h makes it, and as it
+/// View of a light's texture: prefiltered, as light/emission_stack.h makes it, and as it
 /// is. The stack covers the light's bounding rectangle in its plane.
 struct EmissionTextureView {
   /// All levels one after the other, rows from v = 0, 4 floats a texel: r g b times the share of
@@ -94,18 +94,18 @@ struct EmissionTextureView {
   float axis_v[3] = {0, 1, 0};
   float extent[2] = {1, 1}; ///< their lengths, metres
 
-  /// The picture itself: picture_columns * picture_rows texels of picture_channels values (3 or
+  /// The texture itself: texture_columns * texture_rows texels of texture_channels values (3 or
   /// more: r g b ...), linear, clamped; what is negative or not a number counts as 0.
-  EmissionPicture picture;
-  int picture_columns = 0, picture_rows = 0, picture_channels = 3;
-  /// Its coordinates at a point p of the light: u = (p - picture_origin) . picture_u, v alike.
-  float picture_origin[3] = {0, 0, 0};
-  float picture_u[3] = {1, 0, 0};
-  float picture_v[3] = {0, 1, 0};
+  TextureSamples texture;
+  int texture_columns = 0, texture_rows = 0, texture_channels = 3;
+  /// Its coordinates at a point p of the light: u = (p - texture_origin) . texture_u, v alike.
+  float texture_origin[3] = {0, 0, 0};
+  float texture_u[3] = {1, 0, 0};
+  float texture_v[3] = {0, 1, 0};
 
   /// For sampling: the stack's finest level as a distribution. Running shares of cell_rows rows,
   /// and in each row of its cell_columns cells; of all samples the share cell_share is drawn by
-  /// them, which is 0 where the picture is too even to gain by it.
+  /// them, which is 0 where the texture is too even to gain by it.
   const float* row_cdf = nullptr;
   const float* cell_cdf = nullptr;
   int cell_columns = 0, cell_rows = 0;

@@ -69,7 +69,7 @@ double flux(const scene::EmissiveLights& found, std::size_t textures) {
     if (light.texture >= 0) {
       REQUIRE(std::size_t(light.texture) >= textures);
       light.texture -= int(textures);
-      share = double(light::mean_of_picture(light, found.pictures).x);
+      share = double(light::mean_of_texture(light, found.pictures).x);
     }
     sum += share * double(light::flux_lumens(light).x);
   }
@@ -251,7 +251,7 @@ TEST_CASE("two_lit_texels_of_many_make_a_light") {
   const auto found = scene::emissive_lights(upright(), material, {texture});
   REQUIRE(found.lights.polygons.size() == 1);
   CHECK(found.lights.polygons[0].texture == 0);
-  CHECK(light::mean_of_picture(found.lights.polygons[0], {dots}).x ==
+  CHECK(light::mean_of_texture(found.lights.polygons[0], {dots}).x ==
         doctest::Approx(2.0 / (512 * 512)).epsilon(1e-4));
 }
 

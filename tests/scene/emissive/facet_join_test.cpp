@@ -337,7 +337,7 @@ TEST_CASE("ten_thousand_overlapping_squares_and_a_heap_of_needles_shine_as_their
     if (c.is_tangled) {
       REQUIRE(found.lights.polygons.size() == 1);
       CHECK(found.lights.polygons[0].texture == 0);
-      lumens *= double(light::mean_of_picture(found.lights.polygons[0], found.pictures).x);
+      lumens *= double(light::mean_of_texture(found.lights.polygons[0], found.pictures).x);
     }
     CHECK(lumens ==
           doctest::Approx(2 * k_pi * union_area(squares, c.half, c.aspect)).epsilon(0.006));

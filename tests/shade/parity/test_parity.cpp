@@ -124,7 +124,7 @@ const EmissionTextureView& emission() {
     disk.half_u = {0.8f, 0.3f, 0};
     disk.half_v = {-0.3f, 0.8f, 0};
     disk.radiance = {1, 1, 1};
-    light::place_picture(disk, 0, {1, 0, 0});
+    light::place_texture(disk, 0, {1, 0, 0});
     return std::move(*light::build_emission_stack(picture, disk));
   }();
   return stack.view;

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// What a light shows of its picture: means over what falls together, by sums in double.
+// What a light shows of its texture: means over what falls together, by sums in double.
 
 #include "openltc/base/memory_budget.h"
-#include "openltc/light/picture_part.h"
+#include "openltc/light/texture_part.h"
 
 #include <doctest/doctest.h>
 
@@ -58,7 +58,7 @@ TEST_CASE("sides_that_do_not_divide_lose_no_light") {
 TEST_CASE("only_what_is_shown_is_held") {
   // 2000 x 2000 pixels, of which a light shows a hundredth along each side.
   const image::Texels picture = some_picture(2000, 2000);
-  const light::PictureRange shown{0.4, 0.7, 0.41, 0.71};
+  const light::TextureRange shown{0.4, 0.7, 0.41, 0.71};
   const auto part = light::reduced_part(picture, 2000, 2000, shown, "a light");
   REQUIRE(part.ok());
   CHECK(part->pixels.pixel_count() < 30 * 30);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/light/picture_part.h"
+#include "openltc/light/texture_part.h"
 
 #include "openltc/base/memory_budget.h"
 #include "openltc/base/parallel.h"
@@ -54,7 +54,7 @@ void span_of(double low, double high, int size, int& first, int& end) {
 
 } // namespace
 
-Vec3f PicturePart::bilinear(double u, double v) const {
+Vec3f TexturePart::bilinear(double u, double v) const {
   const double x = pixel_of(u, width), y = pixel_of(v, height);
   const int left = int(x), top = int(y);
   const int right = std::min(left + 1, width - 1), bottom = std::min(top + 1, height - 1);
@@ -68,9 +68,9 @@ Vec3f PicturePart::bilinear(double u, double v) const {
   return a * (1 - fy) + b * fy;
 }
 
-Result<PicturePart> reduced_part(const image::Texels& picture, int columns, int rows,
-                                 const PictureRange& range, const std::string& name) {
-  PicturePart part;
+Result<TexturePart> reduced_part(const image::Texels& texture, int columns, int rows,
+                                 const TextureRange& range, const std::string& name) {
+  TexturePart part;
   part.width = columns;
   part.height = rows;
   int x_end = 0, y_end = 0;
@@ -79,24 +79,24 @@ Result<PicturePart> reduced_part(const image::Texels& picture, int columns, int 
   const int width = x_end - part.x0, height = y_end - part.y0;
   if (Status ok =
           memory_budget().check(std::uint64_t(width) * std::uint64_t(height) * 3 * sizeof(float),
-                                fmt::format("{}: what it shows of its picture", name));
+                                fmt::format("{}: what it shows of its texture", name));
       !ok)
     return ok.error();
   part.pixels = image::Image(width, height, 3);
 
-  const std::vector<Share> across = shares_of(picture.width, columns, part.x0, x_end);
+  const std::vector<Share> across = shares_of(texture.width, columns, part.x0, x_end);
   const int groups = (height + k_rows_together - 1) / k_rows_together;
   parallel_for(groups, 0, [&](std::int64_t group) {
     const int first = part.y0 + int(group) * k_rows_together;
-    // One row of the picture, reduced along it.
+    // One row of the texture, reduced along it.
     std::vector<float> wide(std::size_t(width) * 3);
     int is_of = -1;
     for (const Share& down :
-         shares_of(picture.height, rows, first, std::min(first + k_rows_together, y_end))) {
+         shares_of(texture.height, rows, first, std::min(first + k_rows_together, y_end))) {
       if (is_of != down.from) {
         std::fill(wide.begin(), wide.end(), 0.0f);
         for (const Share& share : across) {
-          const Vec3f value = picture.rgb(share.from, down.from);
+          const Vec3f value = texture.rgb(share.from, down.from);
           float* const to = wide.data() + 3 * std::size_t(share.to - part.x0);
           to[0] += share.weight * sane(value.x);
           to[1] += share.weight * sane(value.y);
