@@ -14,8 +14,8 @@
 #include "bench/fma_peak.h"
 #include "bench/usual_quad.h"
 #include "openltc/table/lobe_table.h"
-#include "tests/shade/light_fixture.h"
-#include "tests/shade/light_targets.h"
+#include "tests/shade/lights/light_fixture.h"
+#include "tests/shade/lights/light_targets.h"
 
 #include <benchmark/benchmark.h>
 

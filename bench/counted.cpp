@@ -58,7 +58,7 @@ using Scalar = Number;
 // clang-format off
 #include "openltc/target/scalar.inc"
 #include "openltc/target/shade_all.inc"
-#include "tests/shade/light_batch_body.inc"
+#include "tests/shade/lights/light_batch_body.inc"
 // clang-format on
 
 } // namespace counted

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "tests/shade/light_batch.h"
+#include "tests/shade/lights/light_batch.h"
 
 namespace openltc::bench {
 

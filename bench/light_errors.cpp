@@ -7,9 +7,9 @@
 // the exact integral of the same lobe, and that of the published formulas. --worst prints the
 // inputs of the largest differences below the table.
 
-#include "tests/shade/light_errors.h"
+#include "tests/shade/lights/light_errors.h"
 
-#include "tests/shade/light_reference.h"
+#include "tests/shade/lights/light_reference.h"
 
 #include <algorithm>
 #include <cmath>

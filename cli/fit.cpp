@@ -223,9 +223,7 @@ FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
       ->capture_default_str();
   const Choices<table::LobeForm> forms = {{"table", table::LobeForm::table},
                                           {"polynomial", table::LobeForm::polynomial}};
-  command.add_option("--form", c.form, "Table, or polynomials instead of one [table]")
-      ->transform(one_of(forms))
-      ->type_name(words_of(forms));
+  add_choice(command, "--form", c.form, "Table, or polynomials instead of one [table]", forms);
   auto* degree =
       command.add_option("--degree", c.degree, "Total degree of the polynomials, 3 to 6")
           ->transform(whole_number(table::LobePolynomial::k_min_degree,
@@ -234,24 +232,20 @@ FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
   Choices<table::Layout> layouts;
   for (const table::Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);
-  auto* layout = command.add_option("--layout", c.layout, "Whose look-up reads the table [native]")
-                     ->transform(one_of(layouts))
-                     ->type_name(words_of(layouts));
+  auto* layout =
+      add_choice(command, "--layout", c.layout, "Whose look-up reads the table [native]", layouts);
   const Choices<table::Precision> precisions = {
       {name_of(table::Precision::float32), table::Precision::float32},
       {name_of(table::Precision::float16), table::Precision::float16}};
-  auto* precision = command.add_option("--precision", c.precision, "Numbers of a table [float32]")
-                        ->transform(one_of(precisions))
-                        ->type_name(words_of(precisions));
+  auto* precision =
+      add_choice(command, "--precision", c.precision, "Numbers of a table [float32]", precisions);
   const Choices<fit::Refine> refines = {
       {"auto", fit::Refine::automatic}, {"on", fit::Refine::on}, {"off", fit::Refine::off}};
   auto* refine =
-      command
-          .add_option("--refine", c.refine,
-                      "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
-                      "does so up to 32 nodes, and not for other layouts [auto]")
-          ->transform(one_of(refines))
-          ->type_name(words_of(refines));
+      add_choice(command, "--refine", c.refine,
+                 "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
+                 "does so up to 32 nodes, and not for other layouts [auto]",
+                 refines);
   auto* clip_aware = command.add_flag(
       "--clip-aware", c.clip_aware,
       "For layouts other than native: fit for a renderer that clips lights at the surface's "

@@ -30,12 +30,10 @@ void add_files(CLI::App& command, RenderArguments& a) {
 void add_sampling(CLI::App& command, RenderArguments& a) {
   const Choices<render::Integrator> integrators = {{"ltc", render::Integrator::ltc},
                                                    {"reference", render::Integrator::reference}};
-  command
-      .add_option("--integrator", a.integrator,
-                  "ltc: closed form times sampled shadows; reference: unbiased sampling with "
-                  "the true BRDF, and a layer \"stderr\" with its standard error [ltc]")
-      ->transform(one_of(integrators))
-      ->type_name(words_of(integrators));
+  add_choice(command, "--integrator", a.integrator,
+             "ltc: closed form times sampled shadows; reference: unbiased sampling with "
+             "the true BRDF, and a layer \"stderr\" with its standard error [ltc]",
+             integrators);
   command
       .add_option("--samples", a.samples,
                   "Camera samples per pixel [8; reference 256, each with one light sample]")
@@ -61,30 +59,23 @@ void add_sampling(CLI::App& command, RenderArguments& a) {
   const Choices<render::PixelFilter> filters = {
       {"blackman-harris", render::PixelFilter::blackman_harris},
       {"none", render::PixelFilter::none}};
-  command
-      .add_option("--filter", a.filter,
-                  "Reconstruction filter; none: all rays through the middle of the pixel, to "
-                  "compare light without edges [blackman-harris]")
-      ->transform(one_of(filters))
-      ->type_name(words_of(filters));
+  add_choice(command, "--filter", a.filter,
+             "Reconstruction filter; none: all rays through the middle of the pixel, to "
+             "compare light without edges [blackman-harris]",
+             filters);
   const Choices<render::PunctualForm> forms = {{"exact", render::PunctualForm::exact},
                                                {"ltc", render::PunctualForm::ltc}};
-  command
-      .add_option("--point-lights", a.point_lights,
-                  "Point, spot and directional lights by the exact BRDF or by the density of "
-                  "its LTC lobe [exact]")
-      ->transform(one_of(forms))
-      ->type_name(words_of(forms));
+  add_choice(command, "--point-lights", a.point_lights,
+             "Point, spot and directional lights by the exact BRDF or by the density of "
+             "its LTC lobe [exact]",
+             forms);
   const Choices<render::SpecularForm> specular = {{"lobe", render::SpecularForm::lobe},
                                                   {"ratio", render::SpecularForm::ratio}};
-  command
-      .add_option(
-          "--specular", a.specular,
-          "Specular light of area lights by the fitted lobe alone, or times the ratio of the "
-          "BRDF to it in the direction of each light: small lights are exact then, and "
-          "mean errors a half [lobe]")
-      ->transform(one_of(specular))
-      ->type_name(words_of(specular));
+  add_choice(command, "--specular", a.specular,
+             "Specular light of area lights by the fitted lobe alone, or times the ratio of the "
+             "BRDF to it in the direction of each light: small lights are exact then, and mean "
+             "errors a half [lobe]",
+             specular);
 }
 
 void add_lights(CLI::App& command, RenderArguments& a) {
@@ -92,12 +83,10 @@ void add_lights(CLI::App& command, RenderArguments& a) {
                                                {"scene", render::LightsFrom::scene},
                                                {"studio", render::LightsFrom::studio},
                                                {"both", render::LightsFrom::both}};
-  command
-      .add_option("--lights", a.lights,
-                  "Which lights: those of the scene, a studio rig of three soft boxes, or both "
-                  "[scene; studio where it says nothing of lights]")
-      ->transform(one_of(choices))
-      ->type_name(words_of(choices));
+  add_choice(command, "--lights", a.lights,
+             "Which lights: those of the scene, a studio rig of three soft boxes, or both "
+             "[scene; studio where it says nothing of lights]",
+             choices);
   add_shape_options(command, a.emissive);
   add_reading_options(command, a.reading);
   add_pose_options(command, a.reading.pose);
@@ -130,24 +119,18 @@ void add_display(CLI::App& command, RenderArguments& a) {
   const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
                                             {"aces", image::Tonemap::aces},
                                             {"none", image::Tonemap::none}};
-  command
-      .add_option("--tonemap", a.display.tonemap,
-                  "For .png: Khronos PBR Neutral, ACES, or none [neutral]")
-      ->transform(one_of(tonemaps))
-      ->type_name(words_of(tonemaps));
+  add_choice(command, "--tonemap", a.display.tonemap,
+             "For .png: Khronos PBR Neutral, ACES, or none [neutral]", tonemaps);
   command.add_flag("--half", a.half, "Write .exr in half precision, which ends at 65504 nits");
 }
 
 void add_lobes(CLI::App& command, RenderArguments& a) {
   const Choices<table::LobeForm> forms_of_lobes = {{"table", table::LobeForm::table},
                                                    {"polynomial", table::LobeForm::polynomial}};
-  command
-      .add_option(
-          "--lobes", a.lobes,
-          "Lobes of the LTC integrator from a table or from a polynomial [what --table holds; "
-          "table]")
-      ->transform(one_of(forms_of_lobes))
-      ->type_name(words_of(forms_of_lobes));
+  add_choice(command, "--lobes", a.lobes,
+             "Lobes of the LTC integrator from a table or from a polynomial [what --table holds; "
+             "table]",
+             forms_of_lobes);
   command
       .add_option(
           "--table", a.table,

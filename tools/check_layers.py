@@ -21,8 +21,10 @@
    that takes what a Result has not, as assert would.
 7. Threads are started by base/parallel.cpp alone, which nothing passes by: no other file of openltc/
    or cli/ includes oneTBB or starts threads.
-8. No folder of openltc/ or cli/ holds more than 30 files of its own: a wider one gets rooms. The
-   ones in k_wide_folders have not got theirs yet.
+8. No folder of openltc/, cli/, tests/, bench/ or tools/ holds more than 30 sources of its own: a
+   wider one gets rooms.
+9. No source has more than 400 lines: a longer one is split by its ideas. k_long_sources names those
+   that may be longer, and why.
 
 Prints one line per breach, as file:line: what; exit code 1 if there is any.
 """
@@ -41,7 +43,13 @@ k_root_list_lines = 80
 k_umbrellas = {"openltc.h": set(), "batch.h": {"kernel", "c_api"}, "openltc_c.h": {"c_api"}}
 k_c_header = "openltc_c.h"
 k_folder_files = 30
-k_wide_folders = set()
+k_narrow_trees = ("openltc/", "cli/", "tests/", "bench/", "tools/")
+k_source_lines = 400
+k_long_sources = {
+    "openltc/api/ggx_table.inc": "generated, a line for each texel",
+    "openltc/openltc_c.h": "the C API, one header by design (decision 65), a comment for every name",
+    "openltc/kernel/light_sampling.inc": "one walk down the tree of lights, and what decides its turns",
+}
 
 k_include = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 k_private_headers = re.compile(
@@ -153,10 +161,17 @@ def check_library_include(path, form, header):
 def check_widths(paths):
     """Breaches of rule 8 as (folder, 1, text)."""
     counts = collections.Counter(os.path.dirname(path) for path in paths
-                                 if path.startswith(("openltc/", "cli/")))
+                                 if path.startswith(k_narrow_trees))
     return [(folder, 1, "%d files; a folder of more than %d gets rooms" % (count, k_folder_files))
-            for folder, count in sorted(counts.items())
-            if count > k_folder_files and folder not in k_wide_folders]
+            for folder, count in sorted(counts.items()) if count > k_folder_files]
+
+
+def check_length(path, lines):
+    """Breaches of rule 9 as (line, text)."""
+    if len(lines) <= k_source_lines or path in k_long_sources:
+        return []
+    return [(k_source_lines + 1, "%d lines; a source of more than %d is split by its ideas"
+             % (len(lines), k_source_lines))]
 
 
 def check(root):
@@ -166,7 +181,7 @@ def check(root):
     for path in paths:
         with open(os.path.join(root, path), encoding="utf-8") as stream:
             lines = stream.read().splitlines()
-        breaches += [(path, line, text) for line, text in check_licence(lines)]
+        breaches += [(path, line, text) for line, text in check_licence(lines) + check_length(path, lines)]
         parts = path.split("/")
         if parts[0] in ("openltc", "cli") and path.endswith((".h", ".cpp", ".inc")):
             breaches += [(path, line, text) for line, text in check_code(path, "\n".join(lines))]

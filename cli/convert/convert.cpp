@@ -260,20 +260,12 @@ void add_convert(CLI::App& app, int& exit_code) {
           "picture: .exr .hdr .png .jpg .webp")
       ->required();
   command->add_option("output", arguments->output, "File to write")->required();
-  command
-      ->add_option("--layout", arguments->layout, "Layout to write; that of the input if not given")
-      ->transform(one_of(layouts))
-      ->type_name(words_of(layouts));
-  command
-      ->add_option("--precision", arguments->precision,
-                   "Numbers to write; as the input if not given, float32 for pictures")
-      ->transform(one_of(precisions))
-      ->type_name(words_of(precisions));
-  command
-      ->add_option("--from-layout", arguments->from_layout,
-                   "Layout of a bare texture, which does not say what it is")
-      ->transform(one_of(layouts))
-      ->type_name(words_of(layouts));
+  add_choice(*command, "--layout", arguments->layout,
+             "Layout to write; that of the input if not given", layouts);
+  add_choice(*command, "--precision", arguments->precision,
+             "Numbers to write; as the input if not given, float32 for pictures", precisions);
+  add_choice(*command, "--from-layout", arguments->from_layout,
+             "Layout of a bare texture, which does not say what it is", layouts);
   command
       ->add_option("--size", arguments->size,
                    "Nodes per axis to write, 2 to 512; as the input if not given")
@@ -289,9 +281,8 @@ void add_convert(CLI::App& app, int& exit_code) {
   const Choices<image::Tonemap> tonemaps = {{"neutral", image::Tonemap::neutral},
                                             {"aces", image::Tonemap::aces},
                                             {"none", image::Tonemap::none}};
-  command->add_option("--tonemap", arguments->picture.tonemap, "The same: its tone curve [neutral]")
-      ->transform(one_of(tonemaps))
-      ->type_name(words_of(tonemaps));
+  add_choice(*command, "--tonemap", arguments->picture.tonemap,
+             "The same: its tone curve [neutral]", tonemaps);
   add_shape_options(*command, arguments->emissive);
   add_reading_options(*command, arguments->reading);
   command->add_flag("--quiet", arguments->quiet, "No messages on stderr");

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/base/result.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/scene/emissive/emissive.h"
 #include "openltc/scene/read_options.h"
 #include "openltc/table/lobe_table.h"
@@ -23,6 +24,9 @@ struct Description {
 
 /// Mean and maximum TV that a file states, for people; 0 stands for not known.
 std::string stated_errors(const table::TableMetadata& metadata);
+/// Adds how far lobes are from the BRDF of this name; nothing where there is no such BRDF.
+void add_measured_errors(const std::string& brdf_name, const fit::LobeFunction& lobes,
+                         fit::Horizon horizon, Description& out);
 /// A number that is 0 when it is not known: then null.
 nlohmann::ordered_json known_or_null(double number);
 

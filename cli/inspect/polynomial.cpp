@@ -11,28 +11,6 @@
 
 namespace openltc::cli {
 
-namespace {
-
-// The lobes against the BRDF that the polynomial says it is of.
-void add_errors(const table::LobePolynomial& polynomial, Description& out) {
-  const brdf::Brdf* brdf = brdf::find_brdf(polynomial.metadata.brdf);
-  if (!brdf) return;
-  fit::MeasureOptions options;
-  options.points = 24;
-  options.horizon = fit::Horizon::clipped;
-  const Result<fit::TableError> e = fit::measure_lobes(*brdf, fit::lobes_of(polynomial), options);
-  if (!e) return;
-  out.text +=
-      fmt::format("measured   mean TV {:.4f}   max {:.4f}   n1 {:.1e}   n5 {:.1e}   "
-                  "against {}, {} x {} points\n",
-                  e->mean.tv, e->max.tv, e->mean.n1, e->mean.n5, brdf->name, e->points, e->points);
-  out.json["measured"] = {{"mean_tv", e->mean.tv}, {"max_tv", e->max.tv},
-                          {"mean_l2", e->mean.l2}, {"mean_l3", e->mean.l3},
-                          {"mean_n1", e->mean.n1}, {"mean_n5", e->mean.n5}};
-}
-
-} // namespace
-
 Result<Description> inspect_polynomial(const std::string& path) {
   const Result<table::LobePolynomial> read = table::read_polynomial(path);
   if (!read) return read.error();
@@ -70,7 +48,7 @@ Result<Description> inspect_polynomial(const std::string& path) {
               {"max_tv", known_or_null(m.max_tv)},
               {"certified", proper},
               {"determinant_at_least", certificate.lower_bound}};
-  add_errors(*read, out);
+  add_measured_errors(m.brdf, fit::lobes_of(*read), fit::Horizon::clipped, out);
   return out;
 }
 

@@ -182,10 +182,10 @@ ShapeDescription describe_shape(const light::TubeLight& light, const Place& plac
 
 Vec3f picture_mean(const light::Emitter&, const light::Lights&) { return Vec3f(1.0f); }
 Vec3f picture_mean(const light::PolygonLight& light, const light::Lights& lights) {
-  return light::mean_of_picture(light, lights.textures);
+  return light::mean_of_texture(light, lights.textures);
 }
 Vec3f picture_mean(const light::EllipseLight& light, const light::Lights& lights) {
-  return light::mean_of_picture(light, lights.textures);
+  return light::mean_of_texture(light, lights.textures);
 }
 
 template <class Light>

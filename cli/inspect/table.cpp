@@ -36,26 +36,6 @@ void add_ranges(const table::Texture& texture, const std::vector<std::string>& n
   }
 }
 
-// The lobes against the BRDF that the table says it is of, as the layout's look-up reads them.
-void add_errors(const table::PackedTable& packed, Description& out) {
-  const brdf::Brdf* brdf = brdf::find_brdf(packed.metadata.brdf);
-  if (!brdf) return;
-  fit::MeasureOptions options;
-  options.points = 24;
-  options.horizon = fit::horizon_of(packed);
-  const Result<fit::TableError> e = fit::measure_lobes(
-      *brdf, [&](double roughness, double c) { return fetch_albedo(packed, roughness, c); },
-      options);
-  if (!e) return;
-  out.text +=
-      fmt::format("measured   mean TV {:.4f}   max {:.4f}   n1 {:.1e}   n5 {:.1e}   "
-                  "against {}, {} x {} points\n",
-                  e->mean.tv, e->max.tv, e->mean.n1, e->mean.n5, brdf->name, e->points, e->points);
-  out.json["measured"] = {{"mean_tv", e->mean.tv}, {"max_tv", e->max.tv},
-                          {"mean_l2", e->mean.l2}, {"mean_l3", e->mean.l3},
-                          {"mean_n1", e->mean.n1}, {"mean_n5", e->mean.n5}};
-}
-
 // What a renderer has to do at the surface's horizon.
 const char* horizon_in_words(const table::PackedTable& packed) {
   if (is_divided(packed))
@@ -98,7 +78,9 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
               {"tool_version", m.tool_version},
               {"mean_tv", known_or_null(m.mean_tv)},
               {"max_tv", known_or_null(m.max_tv)}};
-  add_errors(packed, out);
+  add_measured_errors(
+      m.brdf, [&](double roughness, double c) { return fetch_albedo(packed, roughness, c); },
+      fit::horizon_of(packed), out);
   for (std::size_t t = 0; t < packed.textures.size(); ++t)
     add_ranges(packed.textures[t], {facts.channels[t].begin(), facts.channels[t].end()}, out);
   return out;
@@ -169,6 +151,24 @@ std::string stated_errors(const table::TableMetadata& metadata) {
   if (metadata.mean_tv == 0) return "mean TV    not known\n";
   return fmt::format("mean TV    {}   max {}   roughness .06-1, interpolated\n", metadata.mean_tv,
                      metadata.max_tv);
+}
+
+void add_measured_errors(const std::string& brdf_name, const fit::LobeFunction& lobes,
+                         fit::Horizon horizon, Description& out) {
+  const brdf::Brdf* brdf = brdf::find_brdf(brdf_name);
+  if (!brdf) return;
+  fit::MeasureOptions options;
+  options.points = 24;
+  options.horizon = horizon;
+  const Result<fit::TableError> e = fit::measure_lobes(*brdf, lobes, options);
+  if (!e) return;
+  out.text +=
+      fmt::format("measured   mean TV {:.4f}   max {:.4f}   n1 {:.1e}   n5 {:.1e}   "
+                  "against {}, {} x {} points\n",
+                  e->mean.tv, e->max.tv, e->mean.n1, e->mean.n5, brdf->name, e->points, e->points);
+  out.json["measured"] = {{"mean_tv", e->mean.tv}, {"max_tv", e->max.tv},
+                          {"mean_l2", e->mean.l2}, {"mean_l3", e->mean.l3},
+                          {"mean_n1", e->mean.n1}, {"mean_n5", e->mean.n5}};
 }
 
 nlohmann::ordered_json known_or_null(double number) {

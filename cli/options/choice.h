@@ -43,4 +43,13 @@ template <class Enum> CLI::Validator one_of(const Choices<Enum>& choices) {
       "");
 }
 
+/// Adds an option that takes one of the words of `choices`, which the help shows.
+template <class Value, class Enum>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& value,
+                        const std::string& help, const Choices<Enum>& choices) {
+  return command.add_option(name, value, help)
+      ->transform(one_of(choices))
+      ->type_name(words_of(choices));
+}
+
 } // namespace openltc::cli

@@ -117,9 +117,7 @@ void add_plot_lobes(CLI::App& plot, int& exit_code) {
       "  openltc plot lobes --matrix 0.6,0,0.6,0 --sweep c=0.6:0.1:6\n"
       "  openltc plot lobes --brdf ggx --theta 0,45,75 --roughness 0.3,0.6");
   Choices<plot::StandardRow> rows = row_choices();
-  command->add_option("--row", a.rows, "A row of the usual four; repeatable")
-      ->transform(one_of(rows))
-      ->type_name(words_of(rows));
+  add_choice(*command, "--row", a.rows, "A row of the usual four; repeatable", rows);
   command
       ->add_option("--matrix", a.matrices,
                    "A matrix a,b,c,d; repeatable. With --sweep: where it starts from [1,0,1,0]")

@@ -30,12 +30,10 @@ CLI::App* add_figure(CLI::App& plot, const std::string& what, const std::string&
       ->allow_extra_args(false);
   const Choices<draw::Theme> themes = {
       {"auto", draw::Theme::automatic}, {"light", draw::Theme::light}, {"dark", draw::Theme::dark}};
-  command
-      ->add_option("--background", output.theme,
-                   "Colours of the page: auto, in .svg those that the reader's browser prefers, in "
-                   ".png light [auto]")
-      ->transform(one_of(themes))
-      ->type_name(words_of(themes));
+  add_choice(*command, "--background", output.theme,
+             "Colours of the page: auto, in .svg those that the reader's browser prefers, in "
+             ".png light [auto]",
+             themes);
   command->add_option("--scale", output.scale, "Pixels of a .png to a unit of the figure")
       ->check(CLI::Range(0.25, 8.0))
       ->capture_default_str();

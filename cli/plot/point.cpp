@@ -94,9 +94,7 @@ void add_plot_point(CLI::App& plot, int& exit_code) {
                               "Reflectance of the dielectric part at normal incidence, 0 to 1")
                  ->capture_default_str();
   const Choices<plot::Scan> scans = {{"along", plot::Scan::along}, {"across", plot::Scan::across}};
-  command->add_option("--scan", a.scan, "The plane of incidence, or across it [along]")
-      ->transform(one_of(scans))
-      ->type_name(words_of(scans));
+  add_choice(*command, "--scan", a.scan, "The plane of incidence, or across it [along]", scans);
   command
       ->add_option("--table", a.table,
                    "Table or polynomial to shade with [the built-in table]; the exact BRDF is ggx")

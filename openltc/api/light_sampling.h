@@ -33,49 +33,51 @@ struct LightSample {
 
 namespace detail {
 
-// What the lights' shapes have of their own: the point that two random numbers are, and where a ray
-// meets them.
+// What the lights' shapes have of their own: how a surface sees them, the point that two random
+// numbers are, and where a ray meets them.
 
 inline bool is_usable(const Polygon& light) { return light.usable(); }
 
+inline f32::SeenPolygon seen_by(const f32::Surface& s, const Polygon& light) {
+  return f32::polygon_seen(light.view(), s.position, s.position_error2);
+}
+inline f32::SeenEllipse seen_by(const f32::Surface& s, const Ellipse& light) {
+  return f32::ellipse_seen(dialect_of(light), s.position, s.position_error2);
+}
+inline f32::SeenSphere seen_by(const f32::Surface& s, const Sphere& light) {
+  return f32::sphere_seen(dialect_of(light), s.position);
+}
+inline f32::SeenTube seen_by(const f32::Surface& s, const Tube& light) {
+  return f32::tube_seen(dialect_of(light), s.position);
+}
+
 inline f32::LightPoint draw_point(const f32::Surface& s, const Polygon& light, Vec2f u) {
-  const f32::SeenPolygon seen = f32::polygon_seen(light.view(), s.position, s.position_error2);
-  return f32::sample_polygon(light.view(), seen, s.position, u);
+  return f32::sample_polygon(light.view(), seen_by(s, light), s.position, u);
 }
 inline f32::LightPoint draw_point(const f32::Surface& s, const Ellipse& light, Vec2f u) {
-  const f32::Ellipse ellipse = dialect_of(light);
-  return f32::sample_ellipse(ellipse, f32::ellipse_seen(ellipse, s.position, s.position_error2),
-                             s.position, u);
+  return f32::sample_ellipse(dialect_of(light), seen_by(s, light), s.position, u);
 }
 inline f32::LightPoint draw_point(const f32::Surface& s, const Sphere& light, Vec2f u) {
-  const f32::Sphere sphere = dialect_of(light);
-  return f32::sample_sphere(sphere, f32::sphere_seen(sphere, s.position), u);
+  return f32::sample_sphere(dialect_of(light), seen_by(s, light), u);
 }
 inline f32::LightPoint draw_point(const f32::Surface& s, const Tube& light, Vec2f u) {
-  const f32::Tube tube = dialect_of(light);
-  return f32::sample_tube(tube, f32::tube_seen(tube, s.position), s.position, u);
+  return f32::sample_tube(dialect_of(light), seen_by(s, light), s.position, u);
 }
 inline f32::LightPoint draw_point(const f32::Surface& s, const Line& light, Vec2f u) {
-  const f32::Line line = f32::line_seen(s, dialect_of(light));
-  return f32::sample_line(line, s.position, u.x);
+  return f32::sample_line(f32::line_seen(s, dialect_of(light)), s.position, u.x);
 }
 
 inline f32::LightPoint meet_point(const f32::Surface& s, const Polygon& light, Vec3f direction) {
-  const f32::SeenPolygon seen = f32::polygon_seen(light.view(), s.position, s.position_error2);
-  return f32::intersect_polygon(light.view(), seen, s.position, direction);
+  return f32::intersect_polygon(light.view(), seen_by(s, light), s.position, direction);
 }
 inline f32::LightPoint meet_point(const f32::Surface& s, const Ellipse& light, Vec3f direction) {
-  const f32::Ellipse ellipse = dialect_of(light);
-  return f32::intersect_ellipse(ellipse, f32::ellipse_seen(ellipse, s.position, s.position_error2),
-                                s.position, direction);
+  return f32::intersect_ellipse(dialect_of(light), seen_by(s, light), s.position, direction);
 }
 inline f32::LightPoint meet_point(const f32::Surface& s, const Sphere& light, Vec3f direction) {
-  const f32::Sphere sphere = dialect_of(light);
-  return f32::intersect_sphere(sphere, f32::sphere_seen(sphere, s.position), direction);
+  return f32::intersect_sphere(dialect_of(light), seen_by(s, light), direction);
 }
 inline f32::LightPoint meet_point(const f32::Surface& s, const Tube& light, Vec3f direction) {
-  const f32::Tube tube = dialect_of(light);
-  return f32::intersect_tube(tube, f32::tube_seen(tube, s.position), s.position, direction);
+  return f32::intersect_tube(dialect_of(light), seen_by(s, light), s.position, direction);
 }
 
 inline LightSample sample_of(const f32::Surface& s, const f32::LightPoint& point) {

@@ -98,8 +98,8 @@ std::size_t Texels::byte_count() const {
   return pixel_count() * std::size_t(channels_) * sample;
 }
 
-EmissionPicture Texels::colors() const {
-  EmissionPicture view;
+TextureSamples Texels::colors() const {
+  TextureSamples view;
   view.floats = floats_;
   view.bits8 = bits8_;
   view.bits16 = bits16_;

@@ -62,7 +62,7 @@ public:
 
   /// The samples, for whoever reads colours without alpha from place to place; they live as long as
   /// any copy of these texels. `channels` of a pixel is 3 or 4, and grey looks like three.
-  EmissionPicture colors() const;
+  TextureSamples colors() const;
   int color_channels() const { return channels_ < 3 ? 3 : channels_; }
   int channels() const { return channels_; }
 

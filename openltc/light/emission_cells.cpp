@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Points are drawn from a mixture: with the share w by the cells of the picture, otherwise by the
-// light's solid angle. With c^2 the picture's relative variance over the light, E[L^2]/E[L]^2 - 1,
+// Points are drawn from a mixture: with the share w by the cells of the texture, otherwise by the
+// light's solid angle. With c^2 the texture's relative variance over the light, E[L^2]/E[L]^2 - 1,
 // all of it stems from a share 1 / (1 + c^2) of the light's area if it is black or white; of an
 // even one nothing is gained by cells. So w = 0.75 c^2 / (1 + c^2): never more than four times the
-// variance of the solid angle by itself, whatever the picture.
+// variance of the solid angle by itself, whatever the texture.
 //
-// A texel of a picture that is interpolated reaches beyond its cell: of the light of one texel 3/4
+// A texel of a texture that is interpolated reaches beyond its cell: of the light of one texel 3/4
 // lie within it along each axis, 1/8 in either neighbour. Cells have those shares.
 
 #include "openltc/light/emission_cells.h"

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// A light's picture as a distribution over the cells of a grid, for sampling.
+// A light's texture as a distribution over the cells of a grid, for sampling.
 
 #pragma once
 
@@ -21,7 +21,7 @@ struct EmissionCells {
 
 /// From the finest level of an emission stack: `texels` has 4 floats each, r g b times the light's
 /// share of the texel, and that share. Cells beside the light have no share. Empty, with share 0,
-/// where the picture is so even that nothing is gained.
+/// where the texture is so even that nothing is gained.
 EmissionCells make_emission_cells(std::span<const float> texels, int columns, int rows);
 
 } // namespace openltc::light

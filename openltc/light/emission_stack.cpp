@@ -3,7 +3,7 @@
 //
 // Sources:
 //   Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed
-//     Cosines", section 5.2 (textured lights: prefilter the picture and what is around it);
+//     Cosines", section 5.2 (textured lights: prefilter the texture and what is around it);
 //   Burt, Adelson 1983, "The Laplacian Pyramid as a Compact Image Code" (a Gaussian by repeated
 //     small filters);
 //   Knutsson, Westin 1993, "Normalized and Differential Convolution" (image times mask over mask).
@@ -11,16 +11,17 @@
 // One level becomes the next by the filter [1 3 3 1] / 8 along rows, then columns, at every second
 // place. Its variance is 3/4 of a fine texel squared; repeated, v' = (v + 3/4) / 4 tends to v =
 // 1/4: a standard deviation of half a texel of whichever level. The light is surrounded by nothing:
-// both the picture times the outline and the outline itself are zero there.
+// both the texture times the outline and the outline itself are zero there.
 
 #include "openltc/light/emission_stack.h"
 
 #include "openltc/light/curved.h"
 #include "openltc/light/ellipse.h"
+#include "openltc/light/emission_outline.h"
 #include "openltc/light/emitter.h"
 #include "openltc/light/line.h"
-#include "openltc/light/picture_part.h"
 #include "openltc/light/polygon.h"
+#include "openltc/light/texture_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +34,6 @@ namespace {
 
 // Small enough a grid to be cheap, fine enough that a disk's rim shows.
 constexpr int k_min_side = 32;
-// Lines along which a texel's cover is measured.
-constexpr int k_lines_per_row = 4;
 // What a texel of the finest level takes: with all levels and its cell; while they are made.
 constexpr std::uint64_t k_texel_bytes = 26, k_working_bytes = 56;
 
@@ -42,71 +41,6 @@ void copy3(float* out, Vec3d v) {
   out[0] = float(v.x);
   out[1] = float(v.y);
   out[2] = float(v.z);
-}
-
-// A plane with a frame: the picture's u axis and what is across it.
-struct PlaneFrame {
-  Vec3d origin, u, v;
-  Vec2d in_plane(Vec3d p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
-};
-
-struct Edge {
-  Vec2d a, b;
-};
-
-// What is inside along a line of constant y: pairs of x, ascending.
-using Spans = std::vector<double>;
-
-struct PolygonOutline {
-  std::vector<Edge> edges;
-  void spans_at(double y, Spans& spans) const {
-    spans.clear();
-    for (const Edge& e : edges)
-      if ((e.a.y > y) != (e.b.y > y))
-        spans.push_back(e.a.x + (y - e.a.y) * (e.b.x - e.a.x) / (e.b.y - e.a.y));
-    std::sort(spans.begin(), spans.end());
-  }
-};
-
-// Points (x, y) = s axis_0 + t axis_1 with s^2 + t^2 <= 1 about a centre.
-struct EllipseOutline {
-  Vec2d center, axis_0, axis_1;
-  void spans_at(double y, Spans& spans) const {
-    spans.clear();
-    // With h = sqrt(axis_0.y^2 + axis_1.y^2), heights reach h; the chord's middle and half length
-    // follow from the unit circle turned so that its y axis is (axis_0.y, axis_1.y) / h.
-    const double h2 = axis_0.y * axis_0.y + axis_1.y * axis_1.y;
-    const double sine = (y - center.y) / std::sqrt(h2);
-    if (!(std::abs(sine) < 1)) return;
-    const double determinant = std::abs(axis_0.x * axis_1.y - axis_0.y * axis_1.x);
-    const double middle =
-        center.x + sine * (axis_0.x * axis_0.y + axis_1.x * axis_1.y) / std::sqrt(h2);
-    const double half = std::sqrt(1 - sine * sine) * determinant / std::sqrt(h2);
-    spans.push_back(middle - half);
-    spans.push_back(middle + half);
-  }
-};
-
-struct Box {
-  Vec2d lower{1e300, 1e300}, upper{-1e300, -1e300};
-  void add(Vec2d p) {
-    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
-    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
-  }
-};
-
-// The plane's frame: origin anywhere in it. No value when the picture has no direction in it.
-bool make_frame(const Emitter& light, Vec3d origin, Vec3d normal, PlaneFrame& frame) {
-  const Vec3d along = to_double(light.texture_u);
-  const Vec3d in_plane = along - normal * dot(along, normal);
-  const double size = length(in_plane);
-  if (!(size > 1e-6 * length(along)) || !std::isfinite(size)) return false;
-  frame.origin = origin;
-  frame.u = in_plane / size;
-  // v grows downwards in a picture that is upright: on the side that its own v axis points to.
-  const Vec3d across = cross(normal, frame.u);
-  frame.v = dot(across, to_double(light.texture_v)) < 0 ? -across : across;
-  return true;
 }
 
 int power_of_two_at_least(double x) {
@@ -120,28 +54,6 @@ struct Level {
   int columns, rows;
   std::vector<float> texels; // 4 floats each
 };
-
-// The light's share of each texel, 0 to 1: exact along lines, k_lines_per_row of them a row.
-template <class Outline>
-std::vector<float> coverage(const Outline& outline, const Box& box, int columns, int rows) {
-  std::vector<float> cover(std::size_t(columns) * std::size_t(rows), 0.0f);
-  const double width = box.upper.x - box.lower.x, height = box.upper.y - box.lower.y;
-  Spans spans;
-  for (int y = 0; y < rows; ++y) {
-    float* row = cover.data() + std::size_t(y) * std::size_t(columns);
-    for (int line = 0; line < k_lines_per_row; ++line) {
-      const double at = (y + (line + 0.5) / k_lines_per_row) / rows;
-      outline.spans_at(box.lower.y + at * height, spans);
-      for (std::size_t i = 0; i + 1 < spans.size(); i += 2) {
-        const double from = std::clamp((spans[i] - box.lower.x) / width, 0.0, 1.0) * columns;
-        const double to = std::clamp((spans[i + 1] - box.lower.x) / width, 0.0, 1.0) * columns;
-        for (int x = int(from); x < std::min(int(std::ceil(to)), columns); ++x)
-          row[x] += float(std::min(to, x + 1.0) - std::max(from, double(x))) / k_lines_per_row;
-      }
-    }
-  }
-  return cover;
-}
 
 // Texels 2i - 1 .. 2i + 2 by 1 3 3 1, those that there are. `stride` floats from one to the next.
 void decimate(const float* from, int count, std::size_t stride, float* to, std::size_t to_stride) {
@@ -192,7 +104,7 @@ std::vector<float> mean_of(const Level& level) {
 
 template <class Outline>
 Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
-                            const PlaneFrame& frame, const Outline& outline, const Box& box,
+                            const PlaneFrame& frame, const Outline& outline, const PlaneBox& box,
                             const EmissionStackOptions& options) {
   const Vec2d size = box.upper - box.lower;
   if (!(size.x > 0) || !(size.y > 0)) return wrong_light(light.name, "its outline has no extent");
@@ -205,18 +117,18 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   copy3(view.corner, box_corner);
   copy3(view.axis_u, frame.u);
   copy3(view.axis_v, frame.v);
-  copy3(view.picture_origin, to_double(light.texture_corner));
-  copy3(view.picture_u, u_gradient);
-  copy3(view.picture_v, v_gradient);
+  copy3(view.texture_origin, to_double(light.texture_corner));
+  copy3(view.texture_u, u_gradient);
+  copy3(view.texture_v, v_gradient);
   view.extent[0] = float(size.x);
   view.extent[1] = float(size.y);
-  stack.picture = source;
-  view.picture = source.colors();
-  view.picture_columns = source.width;
-  view.picture_rows = source.height;
-  view.picture_channels = source.color_channels();
+  stack.texture = source;
+  view.texture = source.colors();
+  view.texture_columns = source.width;
+  view.texture_rows = source.height;
+  view.texture_channels = source.color_channels();
 
-  // As many texels as the picture has pixels across the light, but no more than allowed.
+  // As many texels as the texture has pixels across the light, but no more than allowed.
   const auto pixels_along = [&](Vec3d axis, double extent) {
     return extent * std::max(std::abs(dot(axis, u_gradient)) * source.width,
                              std::abs(dot(axis, v_gradient)) * source.height);
@@ -228,7 +140,7 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   Level level{std::clamp(power_of_two_at_least(wanted_columns), min_side, max_side),
               std::clamp(power_of_two_at_least(wanted_rows), min_side, max_side),
               {}};
-  // A picture too fine for that is reduced by the same factor first.
+  // A texture too fine for that is reduced by the same factor first.
   const double excess_u = wanted_columns / level.columns, excess_v = wanted_rows / level.rows;
   const auto fewer = [](int pixels, double excess) {
     return std::clamp(int(std::ceil(pixels / std::max(excess, 1.0))), 1, pixels);
@@ -236,30 +148,30 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   const std::string name = light.name.empty() ? "a light" : light.name;
   MemoryShare working;
   const std::uint64_t texels = std::uint64_t(level.columns) * std::uint64_t(level.rows);
-  if (Status ok = stack.memory.take(texels * k_texel_bytes, name + ": its filtered picture"); !ok)
+  if (Status ok = stack.memory.take(texels * k_texel_bytes, name + ": its filtered texture"); !ok)
     return ok.error();
-  if (Status ok = working.take(texels * k_working_bytes, name + ": its picture's filter"); !ok)
+  if (Status ok = working.take(texels * k_working_bytes, name + ": its texture's filter"); !ok)
     return ok.error();
   const auto place_of = [&](int x, int y) {
     const Vec3d p = box_corner + frame.u * ((x + 0.5) / level.columns * size.x) +
                     frame.v * ((y + 0.5) / level.rows * size.y) - to_double(light.texture_corner);
     return Vec2d(dot(p, u_gradient), dot(p, v_gradient));
   };
-  Box shown;
+  PlaneBox shown;
   for (const int x : {0, level.columns - 1})
     for (const int y : {0, level.rows - 1})
       shown.add(place_of(x, y));
-  const Result<PicturePart> picture =
+  const Result<TexturePart> texture =
       reduced_part(source, fewer(source.width, excess_u), fewer(source.height, excess_v),
                    {shown.lower.x, shown.lower.y, shown.upper.x, shown.upper.y}, name);
-  if (!picture) return picture.error();
+  if (!texture) return texture.error();
 
   const std::vector<float> cover = coverage(outline, box, level.columns, level.rows);
   level.texels.resize(cover.size() * 4);
   for (int y = 0; y < level.rows; ++y)
     for (int x = 0; x < level.columns; ++x) {
       const Vec2d place = place_of(x, y);
-      const Vec3f value = picture->bilinear(place.x, place.y);
+      const Vec3f value = texture->bilinear(place.x, place.y);
       const std::size_t i = std::size_t(y) * std::size_t(level.columns) + std::size_t(x);
       float* texel = level.texels.data() + 4 * i;
       texel[0] = value.x * cover[i];
@@ -294,49 +206,23 @@ Result<EmissionStack> build(const image::Texels& source, const Emitter& light,
   return stack;
 }
 
-Status check_picture(const image::Texels& picture, const Emitter& light) {
-  if (picture.empty()) return wrong_light(light.name, "its emission picture is empty");
+Status check_texture(const image::Texels& texture, const Emitter& light) {
+  if (texture.empty()) return wrong_light(light.name, "its texture is empty");
   const float v2 = dot(light.texture_v, light.texture_v);
   const float u2 = dot(light.texture_u, light.texture_u);
   if (!(u2 > 0) || !(v2 > 0) || !std::isfinite(u2) || !std::isfinite(v2) ||
       !is_finite(light.texture_corner))
-    return wrong_light(light.name, "the axes of its emission picture have no length");
+    return wrong_light(light.name, "the axes of its texture have no length");
   return Success{};
 }
 
-constexpr const char* k_no_direction = "the picture's u axis runs along the light's normal";
+constexpr const char* k_no_direction = "the texture's u axis runs along the light's normal";
 
 Vec3d normal_of(const EllipseLight& light) {
   return normalize(cross(to_double(light.half_u), to_double(light.half_v)));
 }
 
-EllipseOutline outline_of(const EllipseLight& light, const PlaneFrame& frame, Box& box) {
-  const auto direction = [&](Vec3f v) {
-    return Vec2d(dot(to_double(v), frame.u), dot(to_double(v), frame.v));
-  };
-  const EllipseOutline outline{frame.in_plane(to_double(light.center)), direction(light.half_u),
-                               direction(light.half_v)};
-  const Vec2d reach(std::hypot(outline.axis_0.x, outline.axis_1.x),
-                    std::hypot(outline.axis_0.y, outline.axis_1.y));
-  box.add(outline.center - reach);
-  box.add(outline.center + reach);
-  return outline;
-}
-
-PolygonOutline outline_of(const PolygonLight& light, const PlaneFrame& frame, Box& box) {
-  PolygonOutline outline;
-  for (std::size_t ring = 0; ring < light.ring_end.size(); ++ring) {
-    const std::span<const Vec3f> points = ring_vertices(light, ring);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec2d a = frame.in_plane(to_double(points[i]));
-      box.add(a);
-      outline.edges.push_back({a, frame.in_plane(to_double(points[(i + 1) % points.size()]))});
-    }
-  }
-  return outline;
-}
-
-// The picture's corners from the box of the outline in a frame whose v is downwards.
+// The texture's corners from the box of the outline in a frame whose v is downwards.
 template <class Light>
 void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) {
   light.texture = texture;
@@ -347,7 +233,7 @@ void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) 
   light.texture_v = Vec3f(float(down.x), float(down.y), float(down.z));
   PlaneFrame frame;
   if (!make_frame(light, origin, normal, frame)) return;
-  Box box;
+  PlaneBox box;
   outline_of(light, frame, box);
   float values[3];
   copy3(values, frame.origin + frame.u * box.lower.x + frame.v * box.lower.y);
@@ -359,7 +245,7 @@ void place(Light& light, int texture, Vec3f u_axis, Vec3d origin, Vec3d normal) 
 }
 
 template <class Light>
-Vec3f picture_mean(const Light& light, const std::vector<image::Texels>& textures) {
+Vec3f texture_mean(const Light& light, const std::vector<image::Texels>& textures) {
   if (light.texture < 0 || std::size_t(light.texture) >= textures.size()) return Vec3f(1.0f);
   const auto stack = build_emission_stack(textures[std::size_t(light.texture)], light, {256});
   return stack.ok() ? stack->mean : Vec3f(1.0f);
@@ -367,43 +253,43 @@ Vec3f picture_mean(const Light& light, const std::vector<image::Texels>& texture
 
 } // namespace
 
-Result<EmissionStack> build_emission_stack(const image::Texels& picture, const PolygonLight& light,
+Result<EmissionStack> build_emission_stack(const image::Texels& texture, const PolygonLight& light,
                                            const EmissionStackOptions& options) {
   if (Status status = validate(light); !status.ok()) return status.error();
-  if (Status status = check_picture(picture, light); !status.ok()) return status.error();
+  if (Status status = check_texture(texture, light); !status.ok()) return status.error();
   PlaneFrame frame;
   if (!make_frame(light, to_double(light.vertices[0]), to_double(light.normal), frame))
     return wrong_light(light.name, k_no_direction);
-  Box box;
+  PlaneBox box;
   const PolygonOutline outline = outline_of(light, frame, box);
-  return build(picture, light, frame, outline, box, options);
+  return build(texture, light, frame, outline, box, options);
 }
 
-Result<EmissionStack> build_emission_stack(const image::Texels& picture, const EllipseLight& light,
+Result<EmissionStack> build_emission_stack(const image::Texels& texture, const EllipseLight& light,
                                            const EmissionStackOptions& options) {
   if (Status status = validate(light); !status.ok()) return status.error();
-  if (Status status = check_picture(picture, light); !status.ok()) return status.error();
+  if (Status status = check_texture(texture, light); !status.ok()) return status.error();
   PlaneFrame frame;
   if (!make_frame(light, to_double(light.center), normal_of(light), frame))
     return wrong_light(light.name, k_no_direction);
-  Box box;
+  PlaneBox box;
   const EllipseOutline outline = outline_of(light, frame, box);
-  return build(picture, light, frame, outline, box, options);
+  return build(texture, light, frame, outline, box, options);
 }
 
-Vec3f mean_of_picture(const PolygonLight& light, const std::vector<image::Texels>& textures) {
-  return picture_mean(light, textures);
+Vec3f mean_of_texture(const PolygonLight& light, const std::vector<image::Texels>& textures) {
+  return texture_mean(light, textures);
 }
 
-Vec3f mean_of_picture(const EllipseLight& light, const std::vector<image::Texels>& textures) {
-  return picture_mean(light, textures);
+Vec3f mean_of_texture(const EllipseLight& light, const std::vector<image::Texels>& textures) {
+  return texture_mean(light, textures);
 }
 
-void place_picture(PolygonLight& light, int texture, Vec3f u_axis) {
+void place_texture(PolygonLight& light, int texture, Vec3f u_axis) {
   place(light, texture, u_axis, to_double(light.vertices[0]), to_double(light.normal));
 }
 
-void place_picture(EllipseLight& light, int texture, Vec3f u_axis) {
+void place_texture(EllipseLight& light, int texture, Vec3f u_axis) {
   place(light, texture, u_axis, to_double(light.center), normal_of(light));
 }
 

@@ -34,13 +34,13 @@ struct Emitter {
   /// Metres by which the surface that the light was made of leaves the light's own shape; shadow
   /// rays stop before it. 0 for lights without a surface.
   float surface_deviation = 0;
-  /// Index into Lights::textures of the picture that the radiance is multiplied by, -1 = none;
+  /// Index into Lights::textures of the texture that the radiance is multiplied by, -1 = none;
   /// polygons and ellipses only.
   int texture = -1;
-  /// Where the picture lies, world space: its texture coordinates are
+  /// Where the texture lies, world space: its texture coordinates are
   ///   u = (p - texture_corner) . texture_u / |texture_u|^2, v alike; (0, 0) is the upper left
   ///   corner
-  /// of the picture's first texel, v grows downwards, and the picture is clamped at its border.
+  /// of the texture's first texel, v grows downwards, and the texture is clamped at its border.
   Vec3f texture_corner{0, 0, 0}, texture_u{1, 0, 0}, texture_v{0, -1, 0};
 };
 

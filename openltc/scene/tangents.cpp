@@ -151,4 +151,19 @@ void compute_tangents(Mesh& mesh, int tex_coord) {
   }
 }
 
+bool repair_tangents(Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.tangents.size(); ++i) {
+    Vec4f& t = mesh.tangents[i];
+    const Vec3f n = mesh.normals[i];
+    const Vec3f v = Vec3f(t.x, t.y, t.z) - n * dot(n, Vec3f(t.x, t.y, t.z));
+    const float l = length(v);
+    if (!(l > 1e-6f) || !std::isfinite(l)) {
+      mesh.tangents.clear();
+      return false;
+    }
+    t = Vec4f(v.x / l, v.y / l, v.z / l, t.w < 0 ? -1.0f : 1.0f);
+  }
+  return true;
+}
+
 } // namespace openltc::scene

@@ -14,4 +14,8 @@ namespace openltc::scene {
 /// mesh may grow.
 void compute_tangents(Mesh& mesh, int tex_coord);
 
+/// Brings tangents to unit length and perpendicular to the normals, which are of unit length, and
+/// their w to 1 or -1. False if one of them has no direction there: then mesh.tangents is empty.
+bool repair_tangents(Mesh& mesh);
+
 } // namespace openltc::scene

@@ -54,6 +54,7 @@ FN ConeSums sum_ellipse_cone(Vec3 center, Vec3 u, Vec3 v, Lobe lobe, Vec3 front,
 /// (shading space).
 FN LightIntegral integrate_ellipse_part(Ellipse ellipse, Vec3 position, Frame frame, Lobe lobe,
                                         Vec3 front, bool cut) {
+  ASSERT_THAT(!cut || all_lanes(is_unit(front)));
   Vec3 center = to_shading(frame, ellipse.center - position);
   Vec3 u = to_shading(frame, ellipse.half_u);
   Vec3 v = to_shading(frame, ellipse.half_v);
@@ -121,6 +122,7 @@ FN Vec3 shade_ellipse(Surface s, Ellipse ellipse) {
 /// Where a ray from `position` along the unit `direction` meets the ellipse. The density is that of
 /// sample_ellipse_by_area.
 FN LightPoint intersect_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec3 direction) {
+  ASSERT_THAT(is_unit(direction));
   Vec3 normal = ellipse_normal(ellipse);
   Vec3 to_center = ellipse.center - position;
   Real h = dot(to_center, normal);
@@ -138,6 +140,7 @@ FN LightPoint intersect_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec3 dir
 
 /// A point evenly distributed over the ellipse, from two numbers in [0, 1).
 FN LightPoint sample_ellipse_by_area(Ellipse ellipse, Vec3 position, Vec2 u) {
+  ASSERT_THAT(in_unit_square(u));
   Vec3 normal = ellipse_normal(ellipse);
   Real radius = sqrt(u.x);
   Real phi = Real(2.0) * k_pi * u.y;

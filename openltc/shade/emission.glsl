@@ -1,17 +1,17 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// The emission of a light with a picture, as a lobe sees it: the picture's mean over the light,
+// The emission of a light with a texture, as a lobe sees it: the texture's mean over the light,
 // weighted by the lobe.
 //
 // Source: Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly
 // Transformed Cosines", section 5.2, approximates the weight by one Gaussian in the light's plane
-// and looks up a picture that was convolved by it beforehand. That blurs what a stretched lobe
+// and looks up a texture that was convolved by it beforehand. That blurs what a stretched lobe
 // keeps sharp, and knows no horizon. The weight is known, though: a point x of the light's plane,
 // seen in cosine space at p = M^-1 x, has
 //   K(x) = D(x/|x|) times solid angle per area = constant * max(0, p.z) / |p|^4,
 // because M^-1 is linear and |p|^4 takes up both D's own fall-off and the plane's. So we integrate
-// it: a few points, each with its own exact weight, and the picture prefiltered to the width of the
+// it: a few points, each with its own exact weight, and the texture prefiltered to the width of the
 // point's cell, so that it need only be K that they resolve.
 //
 // The cells. m is where the mean direction of the light, the vector irradiance of its closed form,
@@ -22,7 +22,7 @@
 // is (1 + y^2)^-3/2, whose integral is t = y / sqrt(1 + y^2): cells are equal steps of t between
 // the light's ends.
 //
-// The prelude of each target gives the picture, the same for all lanes; see light/emission_stack.h:
+// The prelude of each target gives the texture, the same for all lanes; see light/emission_stack.h:
 //   Vec4 emission_texel(EmissionTexture, Vec2 uv, Real level)  trilinear, uv in [0, 1] over the
 //                                     light's bounding rectangle: r g b times the light's share of
 //                                     the place, and that share
@@ -101,13 +101,15 @@ FN Real emission_share_above(Real height, Real rise) {
   return min(max(Real(0.5) + height / max(rise, Real(k_tiny)), Real(0.0)), Real(1.0));
 }
 
-/// Mean of the picture over the light, weighted by `lobe` and clipped to both horizons, as seen
+/// Mean of the texture over the light, weighted by `lobe` and clipped to both horizons, as seen
 /// from `position` (world space). `mean_direction` (shading space, unit) is that of the light's
 /// closed form for the same lobe: LightIntegral.diffuse_direction or specular_direction. It only
 /// places the cells. Times the light's radiance, this is what the lobe's integral is multiplied by.
 /// Where `cut`, the mean over what is in front of the plane with unit normal `front` (shading space).
 FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame frame, Lobe lobe,
                                 Vec3 mean_direction, Vec3 front, bool cut) {
+  ASSERT_THAT(is_unit(mean_direction));
+  ASSERT_THAT(!cut || all_lanes(is_unit(front)));
   Vec2 extent = emission_extent(emission);
   Vec3 axis_u = to_shading(frame, emission_axis_u(emission));
   Vec3 axis_v = to_shading(frame, emission_axis_v(emission));

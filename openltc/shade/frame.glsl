@@ -23,6 +23,7 @@ FN Vec3 any_perpendicular(Vec3 n) {
 /// Frame of a unit normal and a unit direction to the viewer, world space. When the two are
 /// parallel any tangent serves.
 FN Frame shading_frame(Vec3 n, Vec3 wo) {
+  ASSERT_THAT(is_unit(n));
   Vec3 in_plane = wo - n * dot(n, wo);
   Real length2 = dot(in_plane, in_plane);
 

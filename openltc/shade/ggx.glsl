@@ -73,6 +73,8 @@ struct GgxTerms {
 
 /// D V cos_i and its Schlick part for a pair of directions; zero below the horizon.
 FN GgxTerms eval_ggx_terms(Vec3 wo, Vec3 wi, Real alpha) {
+  ASSERT_THAT(is_unit(wo) && is_unit(wi));
+  ASSERT_THAT(alpha > Real(0.0));
   Vec3 sum = wo + wi;
   Vec3 h = sum * inversesqrt(max(dot(sum, sum), Real(k_tiny)));
   Real cos_o = wo.z;
@@ -95,6 +97,9 @@ FN Vec3 eval_ggx(Vec3 wo, Vec3 wi, Real alpha, Vec3 f0, Vec3 f90) {
 /// Direction wi reflected at a visible normal drawn with u in [0, 1)^2; may lie below the horizon,
 /// where eval is zero.
 FN Vec3 sample_ggx(Vec3 wo, Real alpha, Vec2 u) {
+  ASSERT_THAT(is_unit(wo));
+  ASSERT_THAT(alpha > Real(0.0));
+  ASSERT_THAT(in_unit_square(u));
   // Stretch to the hemisphere configuration.
   Vec3 v = normalize(Vec3(alpha * wo.x, alpha * wo.y, wo.z));
   // Sample the spherical cap of reflected directions around v.
@@ -110,6 +115,8 @@ FN Vec3 sample_ggx(Vec3 wo, Real alpha, Vec2 u) {
 
 /// Density of sample_ggx per solid angle of wi: G1(wo) D(h) / (4 cos_o), zero below the horizon.
 FN Real pdf_ggx(Vec3 wo, Vec3 wi, Real alpha) {
+  ASSERT_THAT(is_unit(wo) && is_unit(wi));
+  ASSERT_THAT(alpha > Real(0.0));
   Vec3 sum = wo + wi;
   Vec3 h = sum * inversesqrt(max(dot(sum, sum), Real(k_tiny)));
   Real cos_o = max(wo.z, Real(0.0));

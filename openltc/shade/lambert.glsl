@@ -8,6 +8,7 @@ FN Real eval_lambert(Vec3 wi_shading) { return max(wi_shading.z, Real(0.0)) * k_
 
 /// Cosine-distributed direction from two numbers in [0, 1), shading space, z >= 0.
 FN Vec3 sample_lambert(Vec2 u) {
+  ASSERT_THAT(in_unit_square(u));
   Real radius = sqrt(u.x);
   Real phi = Real(2.0) * k_pi * u.y;
   return Vec3(radius * cos(phi), radius * sin(phi), sqrt(max(Real(1.0) - u.x, Real(0.0))));

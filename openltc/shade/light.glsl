@@ -103,6 +103,7 @@ FN Real pdf_of_point(LightPoint point) {
 /// Solid angle of an area, turned by the cosine, at a distance: 1 / density per solid angle of
 /// points that are evenly distributed over it.
 FN Real solid_angle_of_area(Real area, Real cos_light, Real distance2) {
+  ASSERT_THAT(area >= Real(0.0));
   return area * cos_light / max(distance2, Real(k_tiny));
 }
 

@@ -82,6 +82,7 @@ FN LightIntegral integrate_line(Line line, Vec3 position, Frame frame, Lobe lobe
 /// The same over what is in front of the plane with unit normal `front` (shading space).
 FN LightIntegral integrate_line_in_front(Line line, Vec3 position, Frame frame, Lobe lobe,
                                          Vec3 front) {
+  ASSERT_THAT(is_unit(front));
   FrontSegment part = segment_in_front(to_shading(frame, line.from - position),
                                        to_shading(frame, line.to - position), front);
   LightIntegral integral = integrate_segment(part.a, part.b, lobe);

@@ -46,6 +46,7 @@ FN Lobe cosine_lobe() { return make_lobe(Real(1.0), Real(0.0), Real(0.0), Real(1
 ///   m00 = A cos - a B sin     m02 = A sin + a B cos
 ///   m20 = a (C cos - D sin)   m22 = a (C sin + D cos).
 FN Lobe lobe_from_mirror(Vec4 abcd, Real alpha, Real cos_theta) {
+  ASSERT_THAT(alpha > Real(0.0));
   Real sin_theta = sqrt(max(Real(1.0) - cos_theta * cos_theta, Real(0.0)));
   Real b = alpha * abcd.y;
   Lobe lobe;
@@ -59,6 +60,7 @@ FN Lobe lobe_from_mirror(Vec4 abcd, Real alpha, Real cos_theta) {
 
 /// Inverse of lobe_from_mirror: (A, B, C, D).
 FN Vec4 mirror_from_lobe(Lobe lobe, Real alpha, Real cos_theta) {
+  ASSERT_THAT(alpha > Real(0.0));
   Real sin_theta = sqrt(max(Real(1.0) - cos_theta * cos_theta, Real(0.0)));
   Real inv_alpha = Real(1.0) / alpha;
   return Vec4(lobe.m00 * cos_theta + lobe.m02 * sin_theta,

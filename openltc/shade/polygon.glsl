@@ -25,7 +25,7 @@ struct SmallPolygon {
 };
 
 /// 2 pi times the vector irradiance of a part of a light around p: its density times its solid
-/// angle (MATHS section 5). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
+/// angle (docs/method.md, section 9). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
 /// space, o = M^-1 p.
 FN Vec3 small_part_term(Vec3 p, Real area_height, Lobe lobe) {
   Vec3 o = to_cosine(lobe, p);
@@ -149,6 +149,7 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
 /// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
 FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position, Frame frame,
                                                  Lobe lobe, Vec3 front) {
+  ASSERT_THAT(is_unit(front));
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real h = dot(to_origin, polygon_normal(polygon));
   Real side = lit_side(polygon, h, to_origin);

@@ -16,6 +16,7 @@
 /// the parity of the outline's crossings with a line through the point. The density is that of
 /// sampling its area evenly.
 FN LightPoint intersect_polygon_by_area(Polygon polygon, Vec3 position, Vec3 direction) {
+  ASSERT_THAT(is_unit(direction));
   Vec3 normal = polygon_normal(polygon);
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real slope = dot(direction, normal);
@@ -55,6 +56,7 @@ FN LightPoint intersect_polygon_by_area(Polygon polygon, Vec3 position, Vec3 dir
 /// Where a unit direction that leads to the polygon meets it; the density is 1 / solid_angle.
 FN LightPoint polygon_point_towards(Polygon polygon, Vec3 position, Vec3 direction,
                                     Real solid_angle) {
+  ASSERT_THAT(is_unit(direction));
   Vec3 normal = polygon_normal(polygon);
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real h = dot(to_origin, normal);
@@ -131,6 +133,7 @@ FN SeenPolygon polygon_seen(Polygon polygon, Vec3 position, Real error2) {
 
 /// A point of the polygon from two numbers in [0, 1). Its density per solid angle is 1 / solid_angle.
 FN LightPoint sample_polygon(Polygon polygon, SeenPolygon seen, Vec3 position, Vec2 u) {
+  ASSERT_THAT(in_unit_square(u));
   LightPoint by_area;
   LightPoint by_angle;
   if (!all_lanes(seen.known)) {

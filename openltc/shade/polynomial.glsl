@@ -23,6 +23,7 @@
 /// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
 FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha, Real width,
                                             Real cos_theta) {
+  ASSERT_THAT(lobe_polynomial_degree(polynomial) >= 0);
   Real a = min(max(alpha, Real(k_min_alpha)), Real(1.0));
   Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
   Real u = Real(2.0) * sqrt(a) - Real(1.0);

@@ -4,12 +4,13 @@
 // Point, spot and directional lights: no extent, so no integral; the density of the light's one
 // direction is evaluated.
 //
-// Source: KHR_lights_punctual (inverse square law, cone and range); MATHS section 5 for the LTC
-// form: the limit of the integral of D over a small light is D(w) times its solid angle.
+// Source: KHR_lights_punctual (inverse square law, cone and range); docs/method.md, section 9, for the
+// LTC form: the limit of the integral of D over a small light is D(w) times its solid angle.
 
 /// Window that brings a light's contribution smoothly to zero at its range, as
 /// KHR_lights_punctual recommends: max(min(1 - (d/r)^4, 1), 0). range = 0 means unlimited.
 FN Real range_window(Real distance2, Real range) {
+  ASSERT_THAT(distance2 >= Real(0.0));
   Real ratio2 = distance2 / max(range * range, Real(k_tiny));
   Real window = min(max(Real(1.0) - ratio2 * ratio2, Real(0.0)), Real(1.0));
   return select(range > Real(0.0), window, Real(1.0));

@@ -23,6 +23,8 @@ FN Real tangent_disk_radius(Real distance2, Real radius) {
 /// space).
 FN LightIntegral integrate_sphere_part(Sphere sphere, Vec3 position, Frame frame, Lobe lobe,
                                        Vec3 front, bool cut) {
+  ASSERT_THAT(sphere.radius >= Real(0.0));
+  ASSERT_THAT(!cut || all_lanes(is_unit(front)));
   Vec3 center = to_shading(frame, sphere.center - position);
   Real distance2 = dot(center, center);
   Vec3 axis = center * inversesqrt(max(distance2, Real(k_tiny)));
@@ -92,6 +94,7 @@ struct SeenSphere {
 
 /// The cone of a sphere from `position`, world space.
 FN SeenSphere sphere_seen(Sphere sphere, Vec3 position) {
+  ASSERT_THAT(sphere.radius >= Real(0.0));
   Vec3 to_center = sphere.center - position;
   SeenSphere seen;
   seen.distance2 = max(dot(to_center, to_center), Real(k_tiny));
@@ -123,6 +126,7 @@ FN LightPoint sphere_point(Sphere sphere, SeenSphere seen, Vec3 direction, Real 
 /// Where a ray along the unit `direction` meets the sphere. The density is that of
 /// sample_sphere.
 FN LightPoint intersect_sphere(Sphere sphere, SeenSphere seen, Vec3 direction) {
+  ASSERT_THAT(is_unit(direction));
   // |direction - axis|^2 = 2 (1 - cos), exact where the cosine itself is not.
   Vec3 d = direction - seen.axis;
   Real one_minus_cos = Real(0.5) * dot(d, d);
@@ -133,6 +137,7 @@ FN LightPoint intersect_sphere(Sphere sphere, SeenSphere seen, Vec3 direction) {
 
 /// A point of the sphere, evenly distributed over the solid angle, from two numbers in [0, 1).
 FN LightPoint sample_sphere(Sphere sphere, SeenSphere seen, Vec2 u) {
+  ASSERT_THAT(in_unit_square(u));
   Real one_minus_cos = u.x * seen.one_minus_cos;
   Real sin_axis = sqrt(max(one_minus_cos * (Real(2.0) - one_minus_cos), Real(0.0)));
   Real phi = Real(2.0) * k_pi * u.y;

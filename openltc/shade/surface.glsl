@@ -52,6 +52,7 @@ FN Real fresnel_weight(Vec3 wo, Vec3 wi) {
 /// is (1 - metallic) c.
 FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_world, Vec3 albedo,
                         Vec3 f0, Vec3 f90, Real roughness) {
+  ASSERT_THAT(is_unit(normal) && is_unit(wo_world));
   Surface s;
   s.position = position;
   s.position_error2 = Real(k_position_rounding * k_position_rounding) * dot(position, position);
@@ -134,6 +135,7 @@ FN Surface correct_at_mean(Surface s) {
 
 /// Makes known the normal of the triangle that the point is on: unit, world space, on the viewer's side.
 FN Surface set_geometric_normal(Surface s, Vec3 geometric) {
+  ASSERT_THAT(is_unit(geometric));
   Vec3 d = geometric - s.frame.n;
   s.geometric = geometric;
   s.tilted = any_lane(dot(d, d) > Real(k_normal_rounding * k_normal_rounding));
@@ -261,7 +263,7 @@ FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
 }
 
 /// The LTC approximation of eval_surface, the limit of shade_polygon for a small light: Fresnel
-/// times n1 times the lobe's density above the horizon (MATHS section 5).
+/// times n1 times the lobe's density above the horizon (docs/method.md, section 9).
 FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
   // Clipped to the surface's horizon like the polygon integral.
   Real density = select(wi_shading.z > Real(0.0), eval_lobes(s, wi_shading), Real(0.0));

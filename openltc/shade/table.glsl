@@ -28,6 +28,7 @@ struct SecondLobe {
 /// Texture coordinate of a table axis, whose texels are its nodes: x in [0, 1] over N nodes. The
 /// half-texel rule: a texture's own 0 and 1 are half a texel outside of its first and last node.
 FN Real table_coordinate(Real x, Real size) {
+  ASSERT_THAT(size >= Real(1.0));
   Real inv_size = Real(1.0) / size;
   return min(max(x, Real(0.0)), Real(1.0)) * (size - Real(1.0)) * inv_size + Real(0.5) * inv_size;
 }

@@ -43,6 +43,7 @@ struct TubeView {
 
 /// A tube as `position`, world space, sees it.
 FN TubeView tube_view(Tube tube, Vec3 position, Frame frame) {
+  ASSERT_THAT(tube.radius >= Real(0.0));
   TubeView view;
   view.from = to_shading(frame, tube.from - position);
   view.to = to_shading(frame, tube.to - position);
@@ -103,7 +104,7 @@ FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool 
 }
 
 /// 2 pi times the vector irradiance of half of an end of a thin tube: what bulges out beyond the
-/// strip around its axis, as a small light (density times solid angle, MATHS section 5).
+/// strip around its axis, as a small light (density times solid angle: docs/method.md, section 9).
 FN Vec3 thin_end_term(Tube tube, Vec3 center, Vec3 away, Lobe lobe) {
   Real distance2 = max(dot(center, center), Real(k_tiny));
   Real distance = sqrt(distance2);

@@ -20,6 +20,8 @@ FN Mask inside_tube(Tube tube, Vec3 position) {
 /// Where a ray from `position` along the unit `direction` meets the tube from outside. The density
 /// is that of sample_tube_by_area.
 FN_CALL LightPoint intersect_tube_by_area(Tube tube, Vec3 position, Vec3 direction) {
+  ASSERT_THAT(tube.radius >= Real(0.0));
+  ASSERT_THAT(is_unit(direction));
   Vec3 from = tube.from - position;
   Vec3 to = tube.to - position;
   Vec3 axis = safe_direction(to - from);
@@ -66,6 +68,8 @@ FN_CALL LightPoint intersect_tube_by_area(Tube tube, Vec3 position, Vec3 directi
 /// A point evenly distributed over the tube's surface, from two numbers in [0, 1). Half of them lie
 /// on the far side and do not count as hit.
 FN_CALL LightPoint sample_tube_by_area(Tube tube, Vec3 position, Vec2 u) {
+  ASSERT_THAT(tube.radius >= Real(0.0));
+  ASSERT_THAT(in_unit_square(u));
   Vec3 from = tube.from - position;
   Vec3 span = tube.to - tube.from;
   Real length2 = max(dot(span, span), Real(k_tiny));
@@ -149,6 +153,7 @@ FN TubeInterval tube_interval(SeenTube seen, Real sin_psi, Real cos_psi) {
 
 /// What `position`, world space, sees of a tube.
 FN_CALL SeenTube tube_seen(Tube tube, Vec3 position) {
+  ASSERT_THAT(tube.radius >= Real(0.0));
   SeenTube seen;
   Vec3 from = tube.from - position;
   Vec3 to = tube.to - position;

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <cassert> // for the preludes: ASSERT_THAT
 #include <cstddef>
 #include <cstdint>
 
@@ -26,8 +27,8 @@ struct LobeTableView {
 
 /// View of the polynomial form of fitted lobes; see shade/polynomial.glsl.
 struct LobePolynomialView {
-  /// (degree + 1)(degree + 2)/2 terms of 8 floats each, A B C D n1 n5 0 0, the coefficients of
-  /// T_i(u) T_j(v): j from 0 slow, i from 0 to degree - j fast.
+  /// (degree + 1)(degree + 2)/2 terms of 8 floats each, A B C D n1 s 0 0 with s = (n5/n1)^(1/5),
+  /// the coefficients of T_i(u) T_j(v): j from 0 slow, i from 0 to degree - j fast.
   const float* coefficients = nullptr;
   int degree = 0; ///< in both variables together
 };
@@ -64,16 +65,16 @@ struct ProfileView {
   int rows = 0;    ///< angles from the axis
 };
 
-/// Linear values of a picture in the precision of its file: exactly one of the three pointers is
+/// Linear values of a texture in the precision of its file: exactly one of the three pointers is
 /// set, and `table` with the first two: what each of the 256 or 65536 values stands for. Grey
-/// pictures, of `grey_channels` samples a pixel (grey and alpha; 0 = not grey), are read as if each
+/// textures, of `grey_channels` samples a pixel (grey and alpha; 0 = not grey), are read as if each
 /// pixel had three alike.
-struct EmissionPicture {
+struct TextureSamples {
   const float* floats = nullptr;         ///< linear values
   const std::uint8_t* bits8 = nullptr;   ///< or places in a table of 256
   const std::uint16_t* bits16 = nullptr; ///< or in one of 65536
   const float* table = nullptr;          ///< linear values that they stand for
-  std::size_t grey_channels = 0;         ///< samples a pixel of a grey picture; 0 = not grey
+  std::size_t grey_channels = 0;         ///< samples a pixel of a grey texture; 0 = not grey
 
   /// Value i, three a pixel where the picture is grey.
   float operator[](std::size_t i) const {
@@ -82,7 +83,7 @@ struct EmissionPicture {
   }
 };
 
-/// View of a light's emission picture: prefiltered, as light/emission_stack.h makes it, and as it
+/// View of a light's texture: prefiltered, as light/emission_stack.h makes it, and as it
 /// is. The stack covers the light's bounding rectangle in its plane.
 struct EmissionTextureView {
   /// All levels one after the other, rows from v = 0, 4 floats a texel: r g b times the share of
@@ -97,23 +98,23 @@ struct EmissionTextureView {
   float axis_v[3] = {0, 1, 0}; ///< the side across
   float extent[2] = {1, 1};    ///< their lengths, metres
 
-  /// The picture itself: picture_columns * picture_rows texels of picture_channels values (3 or
+  /// The texture itself: texture_columns * texture_rows texels of texture_channels values (3 or
   /// more: r g b ...), linear, clamped; what is negative or not a number counts as 0.
-  EmissionPicture picture;
-  int picture_columns = 0;  ///< texels in a row of the picture
-  int picture_rows = 0;     ///< rows of the picture
-  int picture_channels = 3; ///< values a texel
-  /// Its coordinates at a point p of the light: u = (p - picture_origin) . picture_u, v alike.
-  float picture_origin[3] = {0, 0, 0};
-  float picture_u[3] = {1, 0, 0}; ///< of u: 1/metres, world space
-  float picture_v[3] = {0, 1, 0}; ///< of v
+  TextureSamples texture;
+  int texture_columns = 0;  ///< texels in a row of the texture
+  int texture_rows = 0;     ///< rows of the texture
+  int texture_channels = 3; ///< values a texel
+  /// Its coordinates at a point p of the light: u = (p - texture_origin) . texture_u, v alike.
+  float texture_origin[3] = {0, 0, 0};
+  float texture_u[3] = {1, 0, 0}; ///< of u: 1/metres, world space
+  float texture_v[3] = {0, 1, 0}; ///< of v
 
   /// For sampling: the stack's finest level as a distribution. Running shares of cell_rows rows.
   const float* row_cdf = nullptr;
   const float* cell_cdf = nullptr; ///< and in each row of its cell_columns cells
   int cell_columns = 0;            ///< cells in a row
   int cell_rows = 0;               ///< rows
-  /// Of all samples this share is drawn by the cells; 0 where the picture is too even to gain by
+  /// Of all samples this share is drawn by the cells; 0 where the texture is too even to gain by
   /// it.
   float cell_share = 0;
 };

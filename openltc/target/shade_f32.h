@@ -33,6 +33,7 @@ using Scalar = float;
 #undef FN
 #undef FN_CALL
 #undef CONSTANT
+#undef ASSERT_THAT
 
 } // namespace openltc::f32
 

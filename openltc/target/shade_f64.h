@@ -20,5 +20,6 @@ using Scalar = double;
 #undef FN
 #undef FN_CALL
 #undef CONSTANT
+#undef ASSERT_THAT
 
 } // namespace openltc::f64

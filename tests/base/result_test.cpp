@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: MIT
 
 #include "openltc/base/result.h"
+#include "tests/base/last_words.h"
 
 #include <doctest/doctest.h>
 
-#include <csignal>
-#include <cstdio>
 #include <memory>
 #include <string>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace openltc;
+using openltc::test::last_words_of;
 
 namespace {
 
@@ -26,29 +23,6 @@ Status check(int value) {
   const Result<std::unique_ptr<int>> made = make(value);
   if (!made) return made.error();
   return Success{};
-}
-
-// What a process says on standard error that aborts by doing this; "" when it does not abort.
-template <class Work> std::string last_words_of(const Work& work) {
-  std::FILE* words = std::tmpfile();
-  REQUIRE(words != nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    std::signal(SIGABRT, SIG_DFL); // doctest has a handler of its own
-    const rlimit no_core = {0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);
-    dup2(fileno(words), STDERR_FILENO);
-    work();
-    _exit(0);
-  }
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  std::rewind(words);
-  std::string text;
-  for (int c; (c = std::fgetc(words)) != EOF;)
-    text += char(c);
-  std::fclose(words);
-  return WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT ? text : "";
 }
 
 } // namespace

@@ -22,11 +22,6 @@ namespace {
 
 const std::string k_older = "an older file";
 
-std::string text_of(const std::string& path) {
-  const auto bytes = bytes_of(path);
-  return std::string(bytes.begin(), bytes.end());
-}
-
 table::LobeTable small_table(int columns, int rows) {
   const Result<table::LobeTable> table = table::resample(table::builtin_ggx_table(), columns, rows,
                                                          table::AngleAxis::sqrt_one_minus_cos);

@@ -17,11 +17,6 @@ using namespace openltc::test;
 
 namespace {
 
-std::string text_of(const std::string& path) {
-  const auto bytes = bytes_of(path);
-  return std::string(bytes.begin(), bytes.end());
-}
-
 Run plot_error(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {"plot", "error"};
   words.insert(words.end(), arguments.begin(), arguments.end());

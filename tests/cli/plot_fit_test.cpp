@@ -15,15 +15,6 @@
 using namespace openltc;
 using namespace openltc::test;
 
-namespace {
-
-std::string text_of(const std::string& path) {
-  const auto bytes = bytes_of(path);
-  return std::string(bytes.begin(), bytes.end());
-}
-
-} // namespace
-
 TEST_CASE("plot_fit_prints_the_errors_of_the_report") {
   const TemporaryFolder folder;
   const std::string report = folder.file("r.json"), path = folder.file("fit.svg");

@@ -45,11 +45,6 @@ bool is_well_formed(const std::string& text) {
   return open.empty() && roots == 1;
 }
 
-std::string text_of(const std::string& path) {
-  const std::vector<std::uint8_t> bytes = bytes_of(path);
-  return std::string(bytes.begin(), bytes.end());
-}
-
 } // namespace
 
 TEST_CASE("plot_literal_writes_a_well_formed_figure_and_the_same_each_time") {

@@ -15,11 +15,6 @@ using namespace openltc::test;
 
 namespace {
 
-std::string text_of(const std::string& path) {
-  const auto bytes = bytes_of(path);
-  return std::string(bytes.begin(), bytes.end());
-}
-
 int count(const std::string& text, const std::string& part) {
   int found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))

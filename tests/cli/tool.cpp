@@ -86,12 +86,8 @@ Run run_tool(const std::vector<std::string>& arguments, const RunOptions& option
   run.peak_bytes = std::uint64_t(usage.ru_maxrss) * 1024;
   if (WIFEXITED(status)) run.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) run.ended_by = WTERMSIG(status);
-  const auto text = [](const std::string& path) {
-    const auto bytes = bytes_of(path);
-    return std::string(bytes.begin(), bytes.end());
-  };
-  run.out = text(out);
-  run.err = text(err);
+  run.out = text_of(out);
+  run.err = text_of(err);
   return run;
 }
 
@@ -107,6 +103,11 @@ bool refuses_usage(const Run& run, const std::string& part) { return ended_as(ru
 
 std::vector<std::uint8_t> bytes_of(const std::string& path) {
   return image::test::file_bytes(path);
+}
+
+std::string text_of(const std::string& path) {
+  const auto bytes = bytes_of(path);
+  return std::string(bytes.begin(), bytes.end());
 }
 
 void write_text(const std::string& path, const std::string& text) {
@@ -148,10 +149,7 @@ void add_camera(GltfBuilder& scene, const std::string& name, double height) {
   scene.root["scenes"][0]["nodes"].push_back(node);
 }
 
-bool holds(const std::string& path, const std::string& text) {
-  const auto bytes = bytes_of(path);
-  return std::string(bytes.begin(), bytes.end()) == text;
-}
+bool holds(const std::string& path, const std::string& text) { return text_of(path) == text; }
 
 void redirect_to(int target, const std::string& path, int flags) {
   const int file = open(path.c_str(), flags);

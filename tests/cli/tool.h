@@ -48,6 +48,7 @@ bool fails_naming(const Run& run, const std::string& part);
 bool refuses_usage(const Run& run, const std::string& part);
 
 std::vector<std::uint8_t> bytes_of(const std::string& path);
+std::string text_of(const std::string& path);
 void write_text(const std::string& path, const std::string& text);
 void write_scene(const std::string& path, const GltfBuilder& scene);
 

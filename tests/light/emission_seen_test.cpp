@@ -294,7 +294,7 @@ TEST_CASE("half of a picture beyond the surface's horizon is not seen") {
   wall.ring_end = {4};
   wall.normal = {-1, 0, 0};
   wall.radiance = {1, 1, 1};
-  light::place_picture(wall, 0, {0, -1, 0});
+  light::place_texture(wall, 0, {0, -1, 0});
   auto stack = light::build_emission_stack(picture, wall);
   REQUIRE(stack.ok());
   const light::PackedPolygon packed = light::pack_polygon(wall);

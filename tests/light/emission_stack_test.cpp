@@ -24,7 +24,7 @@ light::PolygonLight rectangle(float width, float height) {
   light.ring_end = {4};
   light.normal = {0, 0, 1};
   light.radiance = {1, 1, 1};
-  light::place_picture(light, 0, {1, 0, 0});
+  light::place_texture(light, 0, {1, 0, 0});
   return light;
 }
 
@@ -34,7 +34,7 @@ light::EllipseLight disk(float radius) {
   light.half_u = {radius, 0, 0};
   light.half_v = {0, radius, 0};
   light.radiance = {1, 1, 1};
-  light::place_picture(light, 0, {1, 0, 0});
+  light::place_texture(light, 0, {1, 0, 0});
   return light;
 }
 

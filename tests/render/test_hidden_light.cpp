@@ -65,7 +65,7 @@ std::vector<Shape> shapes() {
                    for (int i = 0; i < 64; ++i)
                      picture.data[std::size_t(3 * i + i % 3)] = 1;
                    scene.lights.textures = {picture};
-                   light::place_picture(light, 0, {0, 0, 1});
+                   light::place_texture(light, 0, {0, 0, 1});
                    scene.lights.polygons.push_back(light);
                  }});
   all.push_back({"disk", [](scene::Scene& scene, Vec3f at) {

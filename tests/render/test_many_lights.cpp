@@ -1,52 +1,28 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// What bounds of lights promise: no point reflects more than its bound, no picture errs more than
-// the error it was allowed.
+// What bounds of lights promise: no point reflects more of a light, or of lights together, than its
+// bound.
 
 #include "openltc/light/packed_polygon.h"
 #include "openltc/light/shapes.h"
 #include "openltc/render/lights/light_set.h"
 #include "openltc/render/lights/light_tree.h"
 #include "openltc/render/point_buffer.h"
-#include "openltc/render/renderer.h"
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f64.h"
-#include "test_scenes.h"
+#include "tests/render/random.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <random>
 
 using namespace openltc;
-using test::max_difference;
-using test::rendered;
+using test::Random;
 
 namespace {
-
-class Random {
-public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  float operator()(float low, float high) {
-    return low + (high - low) * std::uniform_real_distribution<float>(0, 1)(engine_);
-  }
-  Vec3f in_box(float half) {
-    const float x = (*this)(-half, half), y = (*this)(-half, half);
-    return {x, y, (*this)(-half, half)};
-  }
-  Vec3f direction() {
-    for (;;) {
-      const Vec3f v = in_box(1);
-      const float l = length(v);
-      if (l > 0.05f && l < 1) return v / l;
-    }
-  }
-
-private:
-  std::mt19937 engine_;
-};
 
 light::PolygonLight random_panel(Random& random, Vec3f around, float apart) {
   const Vec3f n = random.direction();
@@ -197,34 +173,6 @@ render::BatchBounds measured(const std::vector<render::SurfacePoint>& points) {
   return buffer.measure(render::best_kernel(), context, buffer.all());
 }
 
-scene::Scene room_of_lamps(int count) {
-  scene::Scene scene;
-  test::add_floor(scene, 30, 0, test::glossy_material({0.5f, 0.4f, 0.3f}, 0.2f, false));
-  for (int i = 0; i < 6; ++i)
-    test::add_sphere(scene, {4.0f * float(i) - 10, 1, -4 + 2 * float(i % 3)}, 1,
-                     test::glossy_material({0.8f, 0.7f, 0.6f}, 0.15f * float(i) + 0.05f, i % 2));
-  Random random(3);
-  for (int i = 0; i < count; ++i) {
-    const Vec3f at(random(-28, 28), random(3, 6), random(-28, 28));
-    const Vec3f n = i % 4 ? Vec3f(0, -1, 0) : normalize(random.direction() + Vec3f(0, -0.5f, 0));
-    const Vec3f t = normalize(cross(n, Vec3f(0.3f, 0.2f, 1)));
-    const float size = random(0.05f, 0.3f);
-    scene.lights.polygons.push_back(light::rectangle(
-        at, t * size, cross(n, t) * size, Vec3f(1000, random(300, 1000), random(200, 900))));
-  }
-  scene.cameras.push_back(test::look_at({0, 2.5f, 14}, {0, 0.5f, 0}, 0.8f));
-  return scene;
-}
-
-render::RenderOptions small_picture() {
-  render::RenderOptions options;
-  options.width = 96;
-  options.height = 64;
-  options.samples = 2;
-  options.shadow_samples = 0;
-  return options;
-}
-
 } // namespace
 
 TEST_CASE(
@@ -363,71 +311,4 @@ TEST_CASE("a light behind all points, or facing away from them, adds nothing for
   CHECK(bound_of({0, 3, 0}, {1, 0, 0}, {0, 0, 1}) > 0);  // shines down
   CHECK(bound_of({0, 3, 0}, {0, 0, 1}, {1, 0, 0}) == 0); // shines up
   CHECK(bound_of({0, -3, 0}, {0, 0, 1}, {1, 0, 0}) == 0);
-}
-
-TEST_CASE("no pixel of a picture of many lights errs more than was allowed, and fewer are shaded") {
-  const scene::Scene scene = room_of_lamps(150);
-  render::RenderOptions options = small_picture();
-  options.light_error = 0;
-  const render::Picture all = rendered(scene, options);
-  CHECK(all.light_error_nits == 0);
-  CHECK(all.lights_per_point == doctest::Approx(150));
-  double previous = 150;
-  for (const float error : {0.002f, 0.02f, 0.2f}) {
-    options.light_error = error;
-    const render::Picture chosen = rendered(scene, options);
-    CHECK(chosen.light_error_nits > 0);
-    const float brightest = *std::max_element(all.radiance.data.begin(), all.radiance.data.end());
-    CHECK(max_difference(all.radiance, chosen.radiance) <=
-          chosen.light_error_nits + 1e-6 * double(brightest));
-    CHECK(chosen.lights_per_point < 0.5 * 150);
-    CHECK(chosen.lights_per_point < 0.9 * previous);
-    previous = chosen.lights_per_point;
-  }
-}
-
-TEST_CASE("with shadows the picture of chosen lights stays near that of all") {
-  const scene::Scene scene = room_of_lamps(60);
-  render::RenderOptions options = small_picture();
-  options.width = 48;
-  options.height = 32;
-  options.samples = 4;
-  options.shadow_samples = 16;
-  options.light_error = 0;
-  const render::Picture all = rendered(scene, options);
-  options.light_error = 0.002f;
-  const render::Picture chosen = rendered(scene, options);
-  double sum = 0, difference = 0;
-  for (std::size_t i = 0; i < all.radiance.data.size(); ++i) {
-    sum += double(all.radiance.data[i]);
-    difference += std::abs(double(all.radiance.data[i]) - double(chosen.radiance.data[i]));
-  }
-  // Shadows of dim lights are sampled together: noise, but little, and no bias.
-  CHECK(difference < 0.02 * sum);
-}
-
-TEST_CASE("chosen lights do not depend on the number of threads, and the reference takes all") {
-  const scene::Scene scene = room_of_lamps(40);
-  render::RenderOptions options = small_picture();
-  options.shadow_samples = 4;
-  options.threads = 1;
-  const render::Picture one = rendered(scene, options);
-  options.threads = 3;
-  CHECK(one.radiance.data == rendered(scene, options).radiance.data);
-
-  options.integrator = render::Integrator::reference;
-  const render::Picture reference = rendered(scene, options);
-  CHECK(reference.lights_per_point == doctest::Approx(40));
-  options.light_error = 0;
-  CHECK(reference.radiance.data == rendered(scene, options).radiance.data);
-}
-
-TEST_CASE("a light error out of range is refused") {
-  const scene::Scene scene = room_of_lamps(1);
-  for (const float wrong : {-0.1f, 1.5f, std::nanf("")}) {
-    render::RenderOptions options = small_picture();
-    options.light_error = wrong;
-    CHECK_FALSE(
-        render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options).ok());
-  }
 }

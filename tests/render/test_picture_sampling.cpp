@@ -35,7 +35,7 @@ scene::Scene starlit(int size, const std::vector<std::pair<int, int>>& lit, bool
     light.half_u = {1, 0, 0};
     light.half_v = {0, 1, 0};
     light.radiance = Vec3f(float(k_nits));
-    light::place_picture(light, 0, {1, 0, 0});
+    light::place_texture(light, 0, {1, 0, 0});
     scene.lights.ellipses.push_back(light);
   } else {
     light::PolygonLight light;
@@ -43,7 +43,7 @@ scene::Scene starlit(int size, const std::vector<std::pair<int, int>>& lit, bool
     light.ring_end = {4};
     light.normal = {0, 0, 1};
     light.radiance = Vec3f(float(k_nits));
-    light::place_picture(light, 0, {1, 0, 0});
+    light::place_texture(light, 0, {1, 0, 0});
     scene.lights.polygons.push_back(light);
   }
   return scene;

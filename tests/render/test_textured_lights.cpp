@@ -40,7 +40,7 @@ scene::Scene standing_light(const scene::Material& floor, bool is_ellipse) {
     light.half_u = {1.5f, 0, 0};
     light.half_v = {0, 1, 0};
     light.radiance = {10, 10, 10};
-    light::place_picture(light, 0, {1, 0, 0});
+    light::place_texture(light, 0, {1, 0, 0});
     scene.lights.ellipses.push_back(light);
   } else {
     light::PolygonLight light;
@@ -48,7 +48,7 @@ scene::Scene standing_light(const scene::Material& floor, bool is_ellipse) {
     light.ring_end = {4};
     light.normal = {0, 0, 1};
     light.radiance = {10, 10, 10};
-    light::place_picture(light, 0, {1, 0, 0});
+    light::place_texture(light, 0, {1, 0, 0});
     scene.lights.polygons.push_back(light);
   }
   return scene;

@@ -9,8 +9,8 @@
 #include "openltc/light/line.h"
 #include "openltc/light/polygon.h"
 #include "openltc/scene/gltf/export.h"
-#include "round_meshes.h"
 #include "tests/image/make_picture.h"
+#include "tests/scene/emissive/round_meshes.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "polygon_fixture.h"
+#include "tests/shade/polygon_fixture.h"
 
 #include "openltc/api/polygon_moments.h"
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "openltc/target/shade_f64.h"
-#include "random.h"
+#include "tests/shade/random.h"
 
 #include <vector>
 

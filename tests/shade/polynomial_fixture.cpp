@@ -5,7 +5,7 @@
 // D) for s and t of about 1: errors of A, B and D count by the size of D, those of C by alpha as
 // well.
 
-#include "polynomial_fixture.h"
+#include "tests/shade/polynomial_fixture.h"
 
 #include "openltc/target/shade_f64.h"
 

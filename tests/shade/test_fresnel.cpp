@@ -5,8 +5,8 @@
 // exact BRDF integrated over the polygon.
 
 #include "openltc/table/lobe_table.h"
-#include "polygon_fixture.h"
-#include "random.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/random.h"
 
 #include <doctest/doctest.h>
 

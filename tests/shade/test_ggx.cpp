@@ -5,8 +5,8 @@
 
 #include "openltc/target/shade_f32.h"
 #include "openltc/target/shade_f64.h"
-#include "random.h"
-#include "sphere_quadrature.h"
+#include "tests/shade/random.h"
+#include "tests/shade/sphere_quadrature.h"
 
 #include <doctest/doctest.h>
 

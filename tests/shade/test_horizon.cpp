@@ -6,9 +6,9 @@
 
 #include "openltc/table/lobe_polynomial.h"
 #include "openltc/table/lobe_table.h"
-#include "polygon_fixture.h"
-#include "random.h"
-#include "sphere_quadrature.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/random.h"
+#include "tests/shade/sphere_quadrature.h"
 
 #include <doctest/doctest.h>
 

@@ -4,8 +4,8 @@
 // Rays against polygons, checked by the winding number of the outline.
 
 #include "openltc/target/shade_f32.h"
-#include "polygon_fixture.h"
-#include "random.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/random.h"
 
 #include <doctest/doctest.h>
 

@@ -4,8 +4,8 @@
 // The linearly transformed cosine: a density, its matrices, and the change of variables.
 
 #include "openltc/target/shade_f64.h"
-#include "random.h"
-#include "sphere_quadrature.h"
+#include "tests/shade/random.h"
+#include "tests/shade/sphere_quadrature.h"
 
 #include <doctest/doctest.h>
 

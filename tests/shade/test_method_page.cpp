@@ -4,8 +4,8 @@
 // The numbers of the example that docs/method.md works through: roughness 0.5, cos theta = 7/16.
 
 #include "openltc/target/shade_f64.h"
-#include "polygon_fixture.h"
-#include "sphere_quadrature.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/sphere_quadrature.h"
 
 #include <doctest/doctest.h>
 

@@ -3,9 +3,9 @@
 //
 // The polygon integral against brute force, and the properties that any exact integral has.
 
-#include "light_fixture.h"
-#include "polygon_fixture.h"
-#include "random.h"
+#include "tests/shade/lights/light_fixture.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/random.h"
 
 #include <doctest/doctest.h>
 

@@ -5,8 +5,8 @@
 // break it.
 
 #include "openltc/target/shade_f32.h"
-#include "polygon_fixture.h"
-#include "random.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/random.h"
 
 #include <doctest/doctest.h>
 

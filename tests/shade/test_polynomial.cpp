@@ -6,8 +6,8 @@
 
 #include "openltc/target/shade_f32.h"
 #include "openltc/target/shade_f64.h"
-#include "polynomial_fixture.h"
-#include "random.h"
+#include "tests/shade/polynomial_fixture.h"
+#include "tests/shade/random.h"
 
 #include <doctest/doctest.h>
 

@@ -4,8 +4,8 @@
 // Pearson's chi-square test of every sampler against its density.
 
 #include "openltc/target/shade_f64.h"
-#include "random.h"
-#include "sphere_quadrature.h"
+#include "tests/shade/random.h"
+#include "tests/shade/sphere_quadrature.h"
 
 #include <doctest/doctest.h>
 

@@ -6,7 +6,7 @@
 // openltc plot literal, in openltc/plot/literal_formulas.h; nowhere else.
 
 #include "openltc/target/shade_f64.h"
-#include "sphere_quadrature.h"
+#include "tests/shade/sphere_quadrature.h"
 
 #include <doctest/doctest.h>
 

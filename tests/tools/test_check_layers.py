@@ -111,13 +111,28 @@ class Layers(unittest.TestCase):
                           "int n = std::thread::hardware_concurrency();\n")
 
     def test_folders_are_narrow(self):
-        def folder_of(count):
-            return {"openltc/base/a%d.h" % i: "" for i in range(count)}
-        self.assertEqual(check_tree(folder_of(30)), [])
-        self.assertIn("31 files", check_tree(folder_of(31))[0][2])
-        rooms = folder_of(30)
-        rooms["openltc/base/room/a.h"] = ""
-        self.assertEqual(check_tree(rooms), [])
+        for folder in ("openltc/base", "cli", "tests/shade", "bench", "tools"):
+            files = {"%s/a%d.h" % (folder, i): "" for i in range(30)}
+            files[folder + "/room/a.h"] = ""
+            self.assertEqual(check_tree(files), [])
+            files[folder + "/a30.h"] = ""
+            breaches = check_tree(files)
+            self.assertEqual([breach[0] for breach in breaches], [folder])
+            self.assertIn("31 files", breaches[0][2])
+
+    def test_sources_are_short(self):
+        # The two licence lines count.
+        for path in ("openltc/base/a.cpp", "cli/a.cpp", "tests/base/a.cpp", "docs/examples/a.c"):
+            self.assert_clean(path, "\n" * 398)
+            self.assert_breach(path, "\n" * 399, "401 lines")
+        python = k_licence.replace("//", "#").encode()
+        self.assert_breach("tools/a.py", python + b"\n" * 399, "401 lines")
+
+    def test_long_sources_are_there_and_say_why(self):
+        for path, reason in check_layers.k_long_sources.items():
+            self.assertTrue(os.path.isfile(os.path.join(k_root, path)), path)
+            self.assertTrue(reason)
+            self.assert_clean(path, "\n" * 1000)
 
     def test_every_file_names_its_licence(self):
         for path in ("openltc/base/a.h", "tools/a.py", "cmake/a.cmake", "tests/shaders/a.frag"):

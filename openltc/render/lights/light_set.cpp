@@ -84,9 +84,8 @@ void pack_emission(const Light& light, const light::Lights& lights, int side, Ar
                 std::is_same_v<Light, light::EllipseLight>) {
     if (light.texture < 0) return;
     if (std::size_t(light.texture) >= lights.textures.size()) {
-      set.warnings.push_back(
-          light::wrong_light(light.name, "its emission picture is missing").message +
-          "; it shines evenly");
+      set.warnings.push_back(light::wrong_light(light.name, "its texture is missing").message +
+                             "; it shines evenly");
       return;
     }
     auto stack =

@@ -150,7 +150,7 @@ Result<image::Image> SurfaceEmission::picture_of(const FlatPart& part, const Mes
     frame.width = pixels(x1 - x0);
     frame.height = pixels(y1 - y0);
   } else {
-    light::place_picture(light, 0, to_float(longest_edge(light)));
+    light::place_texture(light, 0, to_float(longest_edge(light)));
     frame = frame_of(light);
     double texels = double(k_least_side) * k_least_side;
     if (texture)

@@ -8,7 +8,7 @@
 #include "openltc/scene/deform.h"
 #include "openltc/scene/gltf/file/accessor.h"
 #include "openltc/scene/gltf/file/document.h"
-#include "openltc/scene/gltf/file/draco.h"
+#include "openltc/scene/gltf/file/draco_primitive.h"
 #include "openltc/scene/gltf/file/failure.h"
 #include "openltc/scene/gltf/file/memory.h"
 #include "openltc/scene/gltf/file/tinygltf.h"
@@ -62,7 +62,10 @@ public:
       warn("points and lines are not drawn");
       return result;
     }
-    decode_draco_part();
+    if (std::optional<DracoMesh> decoded = decode_draco_part(document_, primitive_, field_)) {
+      draco_ = std::move(*decoded);
+      is_draco_ = true;
+    }
     if (!has("POSITION")) {
       warn("without positions it is left out");
       return result;
@@ -88,63 +91,12 @@ public:
       warn("some normals are unusable and were computed from the triangles");
     }
     provide_tex_coords(mesh, needs);
-    if (needs.tangent_tex_coord < 0)
-      mesh.tangents.clear();
-    else if (mesh.tangents.empty() || !repair_tangents(mesh))
-      compute_tangents(mesh, needs.tangent_tex_coord);
+    provide_tangents(mesh, needs);
     return result;
   }
 
 private:
   void warn(const std::string& what) { document_.warnings.add_for_mesh(name_, what); }
-
-  void decode_draco_part() {
-    const auto found = primitive_.extensions.find("KHR_draco_mesh_compression");
-    if (found == primitive_.extensions.end()) return;
-    const std::string field = field_ + ".extensions.KHR_draco_mesh_compression";
-    std::map<std::string, int> ids;
-    const tinygltf::Value& attributes = found->second.Get("attributes");
-    if (attributes.IsObject())
-      for (const std::string& key : attributes.Keys())
-        ids[key] = attributes.Get(key).GetNumberAsInt();
-    const int view = found->second.Get("bufferView").GetNumberAsInt();
-    draco_ = decode_draco(document_.views[std::size_t(view)].bytes, ids, field);
-    is_draco_ = true;
-    // Draco does not know which integers glTF means normalised.
-    for (auto& [name, floats] : draco_.attributes) {
-      const auto attribute = primitive_.attributes.find(name);
-      if (attribute != primitive_.attributes.end()) scale_normalized(floats, attribute->second);
-    }
-  }
-
-  void scale_normalized(Floats& floats, int accessor_index) const {
-    const tinygltf::Accessor& accessor = document_.model->accessors[std::size_t(accessor_index)];
-    if (!accessor.normalized) return;
-    float scale = 1;
-    switch (accessor.componentType) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      scale = 127;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      scale = 255;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      scale = 32767;
-      break;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      scale = 65535;
-      break;
-    default:
-      return;
-    }
-    // Some encoders mark the Draco attribute as normalised too, and the decoder then divides.
-    for (const float value : floats.values)
-      if (std::abs(value) > 1) {
-        for (float& v : floats.values)
-          v = std::max(v / scale, -1.0f);
-        return;
-      }
-  }
 
   bool has(const std::string& name) const {
     return draco_.attributes.count(name) != 0 || primitive_.attributes.count(name) != 0;
@@ -381,21 +333,14 @@ private:
     }
   }
 
-  // Brings tangents to unit length and perpendicular to the normals; false if one is unusable.
-  bool repair_tangents(Mesh& mesh) {
-    for (std::size_t i = 0; i < mesh.tangents.size(); ++i) {
-      Vec4f& t = mesh.tangents[i];
-      const Vec3f n = mesh.normals[i];
-      const Vec3f v = Vec3f(t.x, t.y, t.z) - n * dot(n, Vec3f(t.x, t.y, t.z));
-      const float l = length(v);
-      if (!(l > 1e-6f) || !std::isfinite(l)) {
-        warn("some tangents are unusable; all were computed from the texture coordinates");
-        mesh.tangents.clear();
-        return false;
-      }
-      t = Vec4f(v.x / l, v.y / l, v.z / l, t.w < 0 ? -1.0f : 1.0f);
+  void provide_tangents(Mesh& mesh, const VertexNeeds& needs) {
+    if (needs.tangent_tex_coord < 0) {
+      mesh.tangents.clear();
+      return;
     }
-    return true;
+    if (!mesh.tangents.empty() && !repair_tangents(mesh))
+      warn("some tangents are unusable; all were computed from the texture coordinates");
+    if (mesh.tangents.empty()) compute_tangents(mesh, needs.tangent_tex_coord);
   }
 
   Document& document_;
