@@ -93,6 +93,8 @@ struct PointBatch {
 struct BatchOptions {
   int threads = 0;             ///< at most; 0 = all cores
   const char* kernel = "auto"; ///< or one of "scalar", "sse4", "avx2", "avx512", "neon"
+  /// Area lights times the ratio of GGX to its lobe, see correct_at_mean in openltc/api/surface.h.
+  bool correct_at_mean = false;
 };
 
 /// Radiance that each point reflects to its viewer from all lights together, without shadow, in

@@ -107,6 +107,14 @@ inline void set_position_error(Surface& surface, float metres) {
 /// \addtogroup sampling
 /// @{
 
+/// Asks that area lights take the ratio of GGX to its lobe in the mean direction of each, which
+/// mends the lobe's shape: small lights are exact, errors of others a half and less, for a tenth of
+/// the time more (docs/method.md, section 8). Not for lobes that were fitted to another BRDF, which
+/// would become GGX.
+inline void correct_at_mean(Surface& surface) {
+  if (surface.usable) surface.point = f32::correct_at_mean(surface.point);
+}
+
 /// \name The BRDF itself
 ///
 /// Times the cosine at the surface: what a path tracer, or a reference, integrates. `wi` leads from

@@ -128,6 +128,8 @@ const char* shade_batch(const PointBatch& points, const BatchLights& lights, con
 
   const BatchLights::Packed& packed = lights.packed();
   kernel::KernelContext context;
+  context.specular_form =
+      options.correct_at_mean ? kernel::SpecularForm::ratio : kernel::SpecularForm::lobe;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
   context.area_lights = packed.area_lights.data();

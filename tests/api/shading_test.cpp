@@ -160,6 +160,22 @@ TEST_CASE("white_furnace_a_white_dielectric_under_a_white_sky_is_white") {
   CHECK(shade(metal(1, k_up), sky).x == doctest::Approx(1 - std::log(2.0)).epsilon(1e-3));
 }
 
+TEST_CASE("correct_at_mean_makes_a_small_light_the_exact_brdf") {
+  const Vec3f view(0.9f, 0.4f, 0.1f);
+  for (const float roughness : {0.3f, 0.6f}) {
+    Surface s = metal(roughness, view);
+    const Vec3f towards(-0.5f, 0.7f, 0.4f);
+    const float radius = 0.01f, distance2 = 0.25f + 0.49f + 0.16f;
+    const Ellipse light = disk(towards, {0.5f, -0.7f, -0.4f}, radius);
+    const double exact =
+        double(eval_surface(s, towards).x) * k_pi * double(radius * radius / distance2);
+    const double lobe = double(shade(s, light).x);
+    correct_at_mean(s);
+    CHECK(double(shade(s, light).x) == doctest::Approx(exact).epsilon(1e-3));
+    CHECK(std::abs(lobe - exact) > 0.03 * exact);
+  }
+}
+
 TEST_CASE("lights_shine_to_their_own_side_and_two_sided_ones_to_both") {
   // Facing up, away from the floor.
   const Polygon away = Polygon::rectangle({0, 1, 0}, {0, 0, 0.5f}, {0.5f, 0, 0});

@@ -146,7 +146,8 @@ TEST_CASE("a floor under a square lamp has the light that its form factor says")
 
 TEST_CASE("a batch is the sum of the scalar functions, in every kernel and by every light") {
   const Points points = random_points(1037); // no multiple of any width, more than a block
-  for (const Lobes& lobes : {built_in_table(), built_in_polynomial()}) {
+  for (const bool corrected : {false, true}) {
+    const Lobes lobes = corrected ? built_in_table() : built_in_polynomial();
     BatchLights lights;
     REQUIRE(lights.add(k_panel, {5, 4, 3}));
     REQUIRE(lights.add(k_disk, {9, 9, 9}));
@@ -160,11 +161,13 @@ TEST_CASE("a batch is the sum of the scalar functions, in every kernel and by ev
     int kernels = 0;
     for (const char* kernel : {"scalar", "sse4", "avx2", "avx512", "neon"}) {
       Radiance out(points.size());
-      if (shade_batch(points.batch(), lights, lobes, out.arrays().data(), {1, kernel})) continue;
+      if (shade_batch(points.batch(), lights, lobes, out.arrays().data(), {1, kernel, corrected}))
+        continue;
       ++kernels;
       int lit = 0;
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const Surface s = points.surface(i, lobes);
+        Surface s = points.surface(i, lobes);
+        if (corrected) correct_at_mean(s);
         const Vec3f sum = shade(s, k_panel, {5, 4, 3}) + shade(s, k_disk, {9, 9, 9}) +
                           shade(s, k_ball, {7, 1, 2}) + shade(s, k_tube, {30, 30, 20}) +
                           shade(s, k_line, {1, 2, 3}) + shade(s, k_point) + shade(s, k_spot) +
