@@ -10,6 +10,8 @@
 #include "openltc/target/vec.h"
 
 #include <hwy/highway.h>
+
+#include <type_traits>
 // Highway's math comes after the core.
 #include <hwy/contrib/math/math-inl.h>
 

@@ -8,6 +8,7 @@
 #include "openltc/target/vec.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace openltc::kernel::scalar {
 
