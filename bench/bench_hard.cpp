@@ -103,6 +103,7 @@ std::string percent(std::optional<double> value, int digits) {
   return value ? fmt::format("{:.{}f} %", 100 * *value, digits) : "–";
 }
 
+// Where the reference is black the error is in nits, the picture's mean.
 void print_head() {
   fmt::print("| scene | form | table | error, of the light | relative, median | p95 | FLIP | "
              "energy | noise/error | samples | seconds |\n"
@@ -112,8 +113,9 @@ void print_head() {
 void print_row(const Row& row) {
   const bench::HardErrors& e = row.errors;
   fmt::print("| {} | {} | {} | {} | {} | {} | {:.3f} | {} | {}{} | {} | {:.4f} |\n", row.scene,
-             row.form->name, row.form->table, percent(e.of_light, 2), percent(e.median_relative, 1),
-             percent(e.p95_relative, 0), e.flip,
+             row.form->name, row.form->table,
+             e.of_light ? percent(e.of_light, 2) : fmt::format("{:.2g} nits", e.mean_nits),
+             percent(e.median_relative, 1), percent(e.p95_relative, 0), e.flip,
              e.energy ? fmt::format("{:+.1f} %", 100 * *e.energy) : "–",
              e.noise_over_error ? fmt::format("{:.3f}", *e.noise_over_error) : "–",
              row.limit_met ? " (limit of samples)" : "", row.reference_samples, row.seconds);

@@ -76,7 +76,7 @@ def star(points, outer_radius, inner_radius):
 
 def metal_floor(roughness, name, translation, light, rotation=None):
     scene = HardScene("a metal floor up to the horizon")
-    scene.floor(scene.material("metal, roughness %.2f" % roughness, 0.9, 1, roughness), 40.0, 10.0, -80.0)
+    scene.floor(scene.material("metal, roughness %.2f" % roughness, 1.0, 1, roughness), 40.0, 10.0, -80.0)
     scene.light(name, translation, light, rotation)
     # From 65 degrees off the floor's normal to 88.5.
     half = math.radians(-13.25) / 2
@@ -119,7 +119,7 @@ def rims():
         name = "metal, roughness %.2f" % roughness
         mesh = scene.file.add("meshes", {"name": name, "primitives": [{
             "attributes": attributes, "indices": indices,
-            "material": scene.material(name, 0.9, 1, roughness)}]})
+            "material": scene.material(name, 1.0, 1, roughness)}]})
         scene.node(name, ((k - 1.5) * 1.05, 0.5, 0.0), mesh=mesh, scale=[0.5] * 3)
     at = (0.0, 3.2, -5.0)
     scene.light("panel", at, {"type": "rect", "width": 6.0, "height": 2.0}, facing(at, (0.0, 0.5, 0.0)))
@@ -168,7 +168,7 @@ k_scenes = {
     "floor_end_wall_35": lambda: before_end_wall(0.35),
     "floor_side_wall_60": lambda: beside_wall(0.6),
     "rims": rims,
-    "lamps_metal": lambda: lamps(0.9, 1, 0.5),
+    "lamps_metal": lambda: lamps(1.0, 1, 0.5),
     "lamps_dielectric": lambda: lamps(0.2, 0, 0.3),
     "low_line_10mm": lambda: low_line(0.01),
     "low_line_1mm": lambda: low_line(0.001),
