@@ -41,7 +41,7 @@ struct Options {
   std::string folder = OPENLTC_SOURCE_DIR "/scenes/hard";
   std::string cache = OPENLTC_BUILD_DIR "/hard_references";
   std::string pictures;
-  std::int64_t limit = 1 << 16;
+  std::int64_t limit = 1 << 14;
   bool fresh = false, json = false;
   int width = 0, height = 0; ///< from size
 };
@@ -120,6 +120,25 @@ void print_row(const Row& row) {
              e.noise_over_error ? fmt::format("{:.3f}", *e.noise_over_error) : "–",
              row.limit_met ? " (limit of samples)" : "", row.reference_samples, row.seconds);
   std::fflush(stdout);
+}
+
+/// Forms and tables beside each other; rows are those of a scene after those of another, in the
+/// order of `forms`.
+void print_side_by_side(const std::vector<Form>& forms, const std::vector<Row>& rows) {
+  fmt::print("\nError of the light / p95 of relative / FLIP\n| scene |");
+  for (const Form& form : forms)
+    fmt::print(" {}, {} |", form.name, form.table);
+  fmt::print("\n|---|");
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    fmt::print("---|");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bench::HardErrors& e = rows[i].errors;
+    if (i % forms.size() == 0) fmt::print("\n| {} |", rows[i].scene);
+    fmt::print(" {} / {} / {:.3f} |",
+               e.of_light ? percent(e.of_light, 1) : fmt::format("{:.2g} nits", e.mean_nits),
+               percent(e.p95_relative, 0), e.flip);
+  }
+  fmt::print("\n");
 }
 
 /// Of each form and table: the worst scene beside the best.
@@ -310,7 +329,7 @@ int main(int argc, char** argv) {
   app.add_option("--folder", options.folder, "Where the scenes lie [scenes/hard]");
   app.add_option("--cache", options.cache,
                  "Where references are kept [hard_references of the build]");
-  app.add_option("--limit", options.limit, "Most samples of the reference per pixel [65536]")
+  app.add_option("--limit", options.limit, "Most samples of the reference per pixel [16384]")
       ->check(CLI::Range(k_first_samples, 1 << 20));
   app.add_option("--pictures", options.pictures,
                  "A folder for the pictures, references and differences, .png and .exr");
@@ -334,8 +353,10 @@ int main(int argc, char** argv) {
   if (!options.json) print_head();
   for (const fs::path& file : scene_files(options))
     measure(options, file, forms, store, rows);
-  if (options.json)
+  if (options.json) {
     print_json(options, rows);
-  else
-    print_summary(forms, rows);
+    return 0;
+  }
+  if (forms.size() > 1) print_side_by_side(forms, rows);
+  print_summary(forms, rows);
 }
