@@ -14,7 +14,7 @@ The scene is written down here a second time. Mitsuba's camera, sphere and sampl
 its own, and so are D and the Smith G1 of its GGX; its G2 is separable, so the height-correlated one is
 made of the two G1 (Heitz 2014, equation 99): 1 / (1 / G1(o) + 1 / G1(i) - 1). F = 1. SAMPLES (8192)
 are points of the light per pixel, all seen through the middle of the pixel. Needs `pip install mitsuba
-numpy` and LLVM (DRJIT_LIBLLVM_PATH).
+numpy` and LLVM (DRJIT_LIBLLVM_PATH; 19.1 works, 15 fails on AVX-512).
 """
 
 import sys
