@@ -37,6 +37,7 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::vector<std::string> tables = {"built-in"};
+  std::vector<std::string> forms = {"lobe", "ratio"};
   std::string size = "192x108";
   std::string folder = OPENLTC_SOURCE_DIR "/scenes/hard";
   std::string cache = OPENLTC_BUILD_DIR "/hard_references";
@@ -70,8 +71,17 @@ struct Form {
   std::function<Result<render::Picture>(const scene::Scene&, render::RenderOptions)> render;
 };
 
-/// One lobe from the table (or polynomial) of a file.
-Form one_lobe(const std::string& table) {
+struct NamedForm {
+  const char* option; ///< of --form
+  const char* name;
+  render::SpecularForm form;
+};
+const NamedForm k_forms[] = {{"lobe", "one lobe", render::SpecularForm::lobe},
+                             {"ratio", "one lobe, ratio", render::SpecularForm::ratio}};
+
+/// The lobes of the table (or polynomial) of a file, in every form that was asked for.
+void add_forms(const std::string& table, const std::vector<std::string>& wanted,
+               std::vector<Form>& forms) {
   auto lobes = std::make_shared<table::ShadingLobes>(table::builtin_ggx_table());
   std::string label = table;
   if (table != "built-in") {
@@ -81,12 +91,17 @@ Form one_lobe(const std::string& table) {
       fmt::print(stderr, "bench_hard: {}\n", note);
     label = fs::path(table).stem().string();
   }
-  return {"one lobe", label,
-          [lobes](const scene::Scene& scene, const render::RenderOptions& options) {
-            const render::LobeSource source =
-                std::visit([](const auto& l) { return render::LobeSource(l); }, *lobes);
-            return render::render(scene, scene.cameras.at(0), source, options);
-          }};
+  for (const NamedForm& named : k_forms) {
+    if (std::find(wanted.begin(), wanted.end(), named.option) == wanted.end()) continue;
+    forms.push_back(
+        {named.name, label,
+         [lobes, form = named.form](const scene::Scene& scene, render::RenderOptions options) {
+           options.specular_form = form;
+           const render::LobeSource source =
+               std::visit([](const auto& l) { return render::LobeSource(l); }, *lobes);
+           return render::render(scene, scene.cameras.at(0), source, options);
+         }});
+  }
 }
 
 struct Row {
@@ -325,6 +340,10 @@ int main(int argc, char** argv) {
   app.add_option("--table", options.tables,
                  "Lobes: a file of openltc fit, or built-in; may be repeated [built-in]")
       ->allow_extra_args(false);
+  app.add_option("--form", options.forms,
+                 "Form of the closed form: lobe or ratio; may be repeated [both]")
+      ->check(CLI::IsMember({"lobe", "ratio"}))
+      ->allow_extra_args(false);
   app.add_option("--size", options.size, "WIDTHxHEIGHT in pixels [192x108]");
   app.add_option("--folder", options.folder, "Where the scenes lie [scenes/hard]");
   app.add_option("--cache", options.cache,
@@ -347,7 +366,7 @@ int main(int argc, char** argv) {
 
   std::vector<Form> forms;
   for (const std::string& table : options.tables)
-    forms.push_back(one_lobe(table));
+    add_forms(table, options.forms, forms);
   bench::HardReferenceStore store(options.cache, options.fresh);
   std::vector<Row> rows;
   if (!options.json) print_head();
