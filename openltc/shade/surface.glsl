@@ -224,7 +224,8 @@ FN Real blended_ratio(Surface s, Vec3 wi, Real w) {
   Real lobe = s.fitted.n1 * eval_lobes(s, wi);
   Real rho = min(eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
   Real larger = max(max(rho, lobe), Real(k_tiny));
-  Real ratio = Real(1.0) - w * (Real(1.0) - min(rho, lobe) / larger);
+  // Rounding of w, a mean, must not make it negative.
+  Real ratio = max(Real(1.0) - w * (Real(1.0) - min(rho, lobe) / larger), Real(0.0));
   return select(rho > lobe, Real(1.0) / max(ratio, Real(0.5 / k_max_ratio)), ratio);
 }
 
