@@ -325,13 +325,13 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
 
   LightTree tree;
   const int count = context.area_light_count;
+  context.many_lights = !reference && count >= k_min_lights_to_choose;
   if (reference ? count >= k_min_lights_to_draw
                 : options.light_error > 0 && count >= k_min_lights_to_choose)
     tree = LightTree(lights.tree_lights);
   if (reference && !tree.nodes().empty()) {
     context.light_nodes = {tree.nodes().data(), k_drawn_lights};
   } else if (!tree.nodes().empty()) {
-    context.many_lights = true;
     context.far_lights.order = tree.order().data();
     context.far_lights.cdf = tree.cdf().data();
     for (const AreaLightView& light : lights.area_lights)

@@ -164,12 +164,15 @@ render::TreeLight tree_light_of(const light::PolygonLight& light) {
   return render::tree_light(light, light::pack_polygon(light));
 }
 
-render::BatchBounds measured(const std::vector<render::SurfacePoint>& points) {
+render::BatchBounds measured(const std::vector<render::SurfacePoint>& points,
+                             render::SpecularForm form = render::SpecularForm::lobe) {
   render::PointBuffer buffer(64);
   for (const render::SurfacePoint& p : points)
     buffer.add(p, {});
   render::KernelContext context;
   context.table = table::builtin_ggx_table().view();
+  context.specular_form = form;
+  context.many_lights = true;
   return buffer.measure(render::best_kernel(), context, buffer.all());
 }
 
@@ -280,9 +283,12 @@ TEST_CASE("no point reflects more of a light of any shape than its bound") {
     context.table = table::builtin_ggx_table().view();
     context.area_lights = set.area_lights.data();
     context.area_light_count = 1;
+    context.specular_form =
+        round / 4 % 2 ? render::SpecularForm::ratio : render::SpecularForm::lobe;
+    context.many_lights = true;
     std::vector<Vec3f> out(points.size(), Vec3f(0));
     std::vector<float> no_ratio;
-    const render::BatchBounds bounds = measured(points);
+    const render::BatchBounds bounds = measured(points, context.specular_form);
     buffer.shade(render::best_kernel(), context, out, no_ratio, 1);
     const float bound =
         render::bound_light(render::PreparedBatch(bounds), set.tree_lights.front().extent,
