@@ -74,7 +74,7 @@ void add_sampling(CLI::App& command, RenderArguments& a) {
   add_choice(command, "--specular", a.specular,
              "Specular light of area lights by the fitted lobe alone, or times the ratio of the "
              "BRDF to it in the direction of each light: small lights are exact then, and mean "
-             "errors a half [lobe]",
+             "errors a third [ratio; lobe with a --table of another BRDF than ggx]",
              specular);
 }
 

@@ -26,7 +26,7 @@ struct RenderArguments {
   std::vector<std::string> outputs;
   render::Integrator integrator = render::Integrator::ltc;
   render::PunctualForm point_lights = render::PunctualForm::exact;
-  render::SpecularForm specular = render::SpecularForm::lobe;
+  std::optional<render::SpecularForm> specular;
   render::LightsFrom lights = render::LightsFrom::automatic;
   std::string camera;
   std::string size;

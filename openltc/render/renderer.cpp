@@ -42,6 +42,8 @@ constexpr std::size_t k_batch = k_most_points;
 constexpr std::uint32_t k_purpose_pixel = 0;
 // Fewer lights than this are all shaded: choosing among them costs as much.
 constexpr int k_min_lights_to_choose = 6;
+/// The BRDF of the materials, by its name in files of lobes, whose ratio to the lobe is known.
+constexpr const char* k_ratio_brdf = "ggx";
 // From so many lights on the reference draws some for each sample instead of taking all.
 constexpr int k_min_lights_to_draw = 128;
 constexpr int k_drawn_lights = 96;
@@ -284,6 +286,11 @@ Status check(const RenderOptions& o) {
 Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
                        const LobeSource& lobes, const RenderOptions& options) {
   if (Status status = check(options); !status.ok()) return status.error();
+  if (options.specular_form == SpecularForm::ratio && !lobes.brdf.empty() &&
+      lobes.brdf != k_ratio_brdf)
+    return Error{fmt::format("these lobes were fitted to {}, and the ratio of the BRDF to its lobe "
+                             "is that of {}: shade by the lobe alone",
+                             lobes.brdf, k_ratio_brdf)};
   const auto build_start = std::chrono::steady_clock::now();
 
   const Kernel kernel = kernel_by_name(options.kernel.c_str());
@@ -305,7 +312,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   context.punctual_count = int(lights.punctual.size());
   context.integrator = options.integrator;
   context.punctual_form = options.punctual_form;
-  context.specular_form = options.specular_form;
+  context.specular_form = options.specular_form.value_or(
+      lobes.brdf == k_ratio_brdf ? SpecularForm::ratio : SpecularForm::lobe);
   const bool reference = options.integrator == Integrator::reference;
   context.light_samples = context.brdf_samples = 1; // the LTC integrator has its own plan
   job.shadows = plan_shadows(options.shadow_samples, options.samples);

@@ -14,6 +14,7 @@
 #include "openltc/table/lobe_table.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,9 @@ struct RenderOptions {
   /// every point.
   float light_error = 0.003f;
   PunctualForm punctual_form = PunctualForm::exact;
-  SpecularForm specular_form = SpecularForm::lobe; ///< of area lights
-  Vec3f background{0, 0, 0};                       ///< nits, where a ray meets nothing
+  /// Of area lights, LTC; none: the ratio for lobes that were fitted to GGX, else the lobe alone.
+  std::optional<SpecularForm> specular_form;
+  Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
   std::uint32_t seed = 0;
   int threads = 0;             ///< 0 = all cores; the picture does not depend on it
   std::string kernel = "auto"; ///< "auto" or a name of kernel_by_name
@@ -52,11 +54,13 @@ struct RenderOptions {
 /// Where shading has its lobes from: a table or a polynomial. A view; what it was made of must
 /// outlive it.
 struct LobeSource {
-  LobeSource(const table::LobeTable& from) : table(from.view()) {}
-  LobeSource(const table::LobePolynomial& from) : polynomial(from.view()) {}
+  LobeSource(const table::LobeTable& from) : table(from.view()), brdf(from.metadata.brdf) {}
+  LobeSource(const table::LobePolynomial& from)
+      : polynomial(from.view()), brdf(from.metadata.brdf) {}
 
   LobeTableView table;
   LobePolynomialView polynomial; ///< without coefficients when there is a table
+  std::string brdf;              ///< that they were fitted to; empty where nobody says
 };
 
 struct Picture {

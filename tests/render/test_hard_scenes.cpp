@@ -125,6 +125,7 @@ Measured measure(const scene::Scene& scene, const Quadrature& quadrature, int po
   options.height = 18;
   options.samples = 1;
   options.shadow_samples = 0;
+  options.specular_form = render::SpecularForm::lobe;
   const render::Picture picture = test::rendered(scene, options);
   options.specular_form = render::SpecularForm::ratio;
   const render::Picture corrected = test::rendered(scene, options);
