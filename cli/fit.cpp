@@ -204,11 +204,15 @@ constexpr const char* k_fit_footer =
 /// Options that are for one form of lobes alone.
 struct FormOptions {
   std::vector<CLI::Option*> of_tables;
+  std::vector<CLI::Option*> of_one_lobe;
+  CLI::Option* size = nullptr;
   CLI::Option* of_polynomials = nullptr;
 };
 
 FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
-  auto* size = command.add_option("--size", c.size, "Nodes per axis of a table, 2 to 512")
+  auto* size = command
+                   .add_option("--size", c.size,
+                               "Nodes per axis of a table, 2 to 512; of two lobes 16 unless given")
                    ->transform(whole_number(2, 512))
                    ->capture_default_str();
   command
@@ -222,8 +226,12 @@ FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
           ""))
       ->capture_default_str();
   const Choices<table::LobeForm> forms = {{"table", table::LobeForm::table},
-                                          {"polynomial", table::LobeForm::polynomial}};
-  command.add_option("--form", c.form, "Table, or polynomials instead of one [table]")
+                                          {"polynomial", table::LobeForm::polynomial},
+                                          {"two-lobe", table::LobeForm::two_lobe}};
+  command
+      .add_option("--form", c.form,
+                  "Table, polynomials instead of one, or a table of two lobes at every node, half "
+                  "the error [table]")
       ->transform(one_of(forms))
       ->type_name(words_of(forms));
   auto* degree =
@@ -256,7 +264,8 @@ FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
       "--clip-aware", c.clip_aware,
       "For layouts other than native: fit for a renderer that clips lights at the surface's "
       "horizon, amplitudes over the share of the lobe above it; the file says horizon divided");
-  return {{size, layout, precision, refine, clip_aware}, degree};
+  return {
+      {size, layout, precision, refine, clip_aware}, {layout, refine, clip_aware}, size, degree};
 }
 
 void add_file_options(CLI::App& command, FitArguments& arguments) {
@@ -280,11 +289,17 @@ void add_file_options(CLI::App& command, FitArguments& arguments) {
 /// What would be passed over in silence is wrong usage.
 Status check_form(const fit::FitRequest& request, const FormOptions& options) {
   const bool polynomial = request.form == table::LobeForm::polynomial;
+  const bool two = request.form == table::LobeForm::two_lobe;
   const auto refusal = [&](const CLI::Option* option, const char* form, const char* not_form) {
     return Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)};
   };
   for (const CLI::Option* option : options.of_tables)
     if (polynomial && option->count() > 0) return refusal(option, "tables", "--form polynomial");
+  for (const CLI::Option* option : options.of_one_lobe)
+    if (two && option->count() > 0)
+      return refusal(option, "tables of one lobe",
+                     "--form two-lobe, whose layout only this project "
+                     "reads");
   if (!polynomial && options.of_polynomials->count() > 0)
     return refusal(options.of_polynomials, "--form polynomial", "tables");
   return Success{};
@@ -310,6 +325,8 @@ void add_fit(CLI::App& app, int& exit_code) {
       exit_code = fail("fit", status.error(), k_exit_usage);
       return;
     }
+    if (request.form == table::LobeForm::two_lobe && form_options.size->count() == 0)
+      request.size = fit::k_two_lobe_size;
     request.tool_version = OPENLTC_VERSION;
     request.command = fit_command_of(arguments->brdf, request);
     exit_code = run_fit(*arguments);

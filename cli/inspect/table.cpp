@@ -44,7 +44,7 @@ void add_errors(const table::PackedTable& packed, Description& out) {
   options.points = 24;
   options.horizon = fit::horizon_of(packed);
   const Result<fit::TableError> e = fit::measure_lobes(
-      *brdf, [&](double roughness, double c) { return fetch_albedo(packed, roughness, c); },
+      *brdf, [&](double roughness, double c) { return fit::fetch_measured(packed, roughness, c); },
       options);
   if (!e) return;
   out.text +=
@@ -70,8 +70,10 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
   const table::TableMetadata& m = packed.metadata;
   const table::LayoutFacts& facts = facts_of(packed.layout);
   Description out;
-  out.text = fmt::format("lobe table, {} x {} nodes over roughness and {}\n", packed.columns(),
-                         packed.rows(), name_of(packed.angle_axis));
+  const bool two = packed.layout == table::Layout::native_two;
+  out.text =
+      fmt::format("lobe table{}, {} x {} nodes over roughness and {}\n", two ? " of two lobes" : "",
+                  packed.columns(), packed.rows(), name_of(packed.angle_axis));
   out.text += fmt::format("layout     {}, {} ({})\n", name_of(packed.layout),
                           name_of(packed.precision), facts.readers);
   out.text += fmt::format("packing    {}\n", facts.normalisation);

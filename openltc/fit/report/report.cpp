@@ -89,8 +89,7 @@ Result<WorstCell> describe_cell(const brdf::Brdf& brdf, const std::vector<Candid
 
   std::vector<Density> densities = {density_of(brdf, *rule)};
   for (const Candidate& candidate : candidates)
-    densities.push_back(
-        density_of(candidate.lobes(cell.roughness, cos_theta).lobe, candidate.horizon));
+    densities.push_back(density_of(candidate.lobes(cell.roughness, cos_theta), candidate.horizon));
   choose_cut(densities, cell);
   cell.brdf = picture(densities[0], cell);
   for (std::size_t i = 1; i < densities.size(); ++i)
