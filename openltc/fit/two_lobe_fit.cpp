@@ -76,8 +76,8 @@ struct Problem {
   std::vector<JointSample> samples;
   std::vector<std::vector<std::pair<int, double>>> samples_of_node; // sample, factor
   double total_weight = 0;
-  double penalty = 1;  ///< of determinants that are too small
-  bool bounded = true; ///< whether A and D are kept above k_least_element
+  double least = k_least_product; ///< of determinants, by a penalty
+  bool bounded = true;            ///< whether A and D are kept above k_least_element
 
   std::size_t count() const { return std::size_t(shape.columns) * std::size_t(shape.rows); }
 };
@@ -113,19 +113,18 @@ Vector interpolate(const JointSample& sample, const Vectors& nodes) {
   return x;
 }
 
-// A quadratic penalty where the determinant of one of the lobes lacks k_least_product.
-void add_penalty(const JointSample& sample, const Vector& x, int first, double weight,
+// A quadratic penalty where the determinant of one of the lobes lacks `least`, relative to it.
+void add_penalty(const JointSample& sample, const Vector& x, int first, double least,
                  Local& local) {
   const double width = sample.rule.width;
   const double determinant = x[first] * x[first + 3] - width * x[first + 1] * x[first + 2];
-  if (!(determinant < k_least_product)) return;
-  const double missing = 1 - determinant / k_least_product;
+  if (!(determinant < least)) return;
+  const double missing = 1 - determinant / least;
   const Eigen::Vector4d slope =
-      Eigen::Vector4d(-x[first + 3], width * x[first + 2], width * x[first + 1], -x[first]) /
-      k_least_product;
-  local.value += weight * missing * missing;
-  local.gradient.segment<4>(first) += 2 * weight * missing * slope;
-  local.hessian.block<4, 4>(first, first) += 2 * weight * slope * slope.transpose();
+      Eigen::Vector4d(-x[first + 3], width * x[first + 2], width * x[first + 1], -x[first]) / least;
+  local.value += missing * missing;
+  local.gradient.segment<4>(first) += 2 * missing * slope;
+  local.hessian.block<4, 4>(first, first) += 2 * slope * slope.transpose();
 }
 
 void evaluate_local(const Problem& problem, const JointSample& sample, const Vector& x,
@@ -142,8 +141,8 @@ void evaluate_local(const Problem& problem, const JointSample& sample, const Vec
     for (int j = i; j < k_unknowns; ++j, ++entry)
       local.hessian(i, j) = local.hessian(j, i) = sample.weight * at.hessian[entry];
   }
-  add_penalty(sample, x, 0, problem.penalty, local);
-  add_penalty(sample, x, 4, problem.penalty, local);
+  add_penalty(sample, x, 0, problem.least, local);
+  add_penalty(sample, x, 4, problem.least, local);
 }
 
 // Calls body(before, at, after) for every three neighbours in a row or column.
@@ -466,7 +465,14 @@ Result<LobeTable> fit_two_lobe_table(const brdf::Brdf& brdf, const TableFitOptio
   }
 
   store(unknowns, *one);
-  const TableCertificate certificate = certify_determinants(*one);
+  TableCertificate certificate = certify_determinants(*one);
+  // A determinant that is too small between samples: once more, further away from it.
+  for (int attempt = 0; attempt < 3 && !(certificate.lower_bound > 0); ++attempt) {
+    problem->least *= 30;
+    if (!run_stage(*problem, objective, {false, 1e-6, 25, 2e-4}, {}, unknowns)) return cancelled();
+    store(unknowns, *one);
+    certificate = certify_determinants(*one);
+  }
   if (!(certificate.lower_bound > 0))
     return Error{fmt::format("brdf {}: the lobes of neighbouring nodes do not interpolate near "
                              "roughness {:.3f}; openltc fit --size and --objective balanced change "

@@ -139,7 +139,7 @@ TEST_CASE("what_cannot_be_fitted_says_why_and_writes_nothing") {
         OPENLTC_UNKNOWN_NAME);
   CHECK(last_error_says("balanced"));
   for (const auto spoil :
-       {+[](openltc_fit_options& o) { o.form = 2; }, +[](openltc_fit_options& o) { o.size = 1; },
+       {+[](openltc_fit_options& o) { o.form = 3; }, +[](openltc_fit_options& o) { o.size = 1; },
         +[](openltc_fit_options& o) { o.size = 513; },
         +[](openltc_fit_options& o) { o.degree = 7; },
         +[](openltc_fit_options& o) { o.refine = -1; }}) {

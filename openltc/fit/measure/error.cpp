@@ -45,6 +45,16 @@ double horizon_scale(const f64::Lobe& lobe, Horizon horizon) {
 
 namespace {
 
+// lobe_density without derivatives, to the same bits.
+double lobe_value(Vec4d abcd, double alpha, double x, double y, double z) {
+  const double ox = abcd.x * x + alpha * abcd.y * z;
+  const double oz = alpha * (abcd.z * x + abcd.w * z);
+  if (!(oz > 0)) return 0;
+  const double det = alpha * (abcd.x * abcd.w - alpha * abcd.y * abcd.z);
+  const double inv_length2 = 1 / (ox * ox + y * y + oz * oz);
+  return oz * det * (inv_length2 * inv_length2 * f64::k_inv_pi);
+}
+
 // Total variation as the energy that D lacks, the integral of max(rho/E - D, 0): as much as it has
 // in excess elsewhere, since both integrate to 1, and bounded by rho/E, whose quadrature this is.
 // (A clipped lobe of which less than k_min_share lies above the horizon integrates to less than 1
@@ -66,9 +76,9 @@ LobeError measure_density(const Quadrature& q, const MeasuredLobe& fitted, Horiz
   }
   double missing = 0, l2 = 0, l3 = 0, norm2 = 0, norm3 = 0, peak = 0, peak_of_brdf = 0;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const Vec3d wi(q.x_mirror[i], q.y[i], q.z_mirror[i]);
-    double d = scale * lobe_density(mirror, q.width, wi).value;
-    if (two) d += scale_beside * lobe_density(mirror_beside, q.width, wi).value;
+    const double x = q.x_mirror[i], y = q.y[i], z = q.z_mirror[i];
+    double d = scale * lobe_value(mirror, q.width, x, y, z);
+    if (two) d += scale_beside * lobe_value(mirror_beside, q.width, x, y, z);
     const double r = std::abs(d - q.density[i]);
     const double solid_angle = q.weight[i];
     missing += solid_angle * std::max(q.density[i] - d, 0.0);
@@ -238,13 +248,17 @@ Result<std::vector<ErrorMap>> measure_maps(const brdf::Brdf& brdf,
     map.cells.resize(count);
     map.albedo.resize(count);
   }
+  std::vector<HalfVectors> half_vectors;
+  for (const double roughness : axes.roughness)
+    half_vectors.push_back(find_half_vectors(brdf, roughness));
   std::vector<std::string> failures(count);
   parallel_for(std::int64_t(count), 0, [&](std::int64_t index) {
     const std::size_t k = std::size_t(index);
     const double roughness = axes.roughness[k % columns];
     const double theta_degrees = axes.theta_degrees[k / columns];
     const double cos_theta = std::cos(theta_degrees * f64::k_pi / 180);
-    const Result<Quadrature> rule = make_quadrature(brdf, roughness, cos_theta, quadrature);
+    const Result<Quadrature> rule =
+        make_quadrature(brdf, roughness, cos_theta, half_vectors[k % columns], quadrature);
     if (!rule) {
       failures[k] = rule.error().message;
       return;

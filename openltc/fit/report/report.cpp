@@ -168,7 +168,8 @@ Result<Report> make_report(const brdf::Brdf& brdf, const std::vector<Candidate>&
     if (!done) return done.error();
     report.regions.push_back(std::move(*done));
   }
-  const Result<std::vector<LightError>> lights = measure_lights(brdf, measured, options.lights);
+  Result<std::vector<LightError>> lights = std::vector<LightError>(candidates.size());
+  if (options.lights.count > 0) lights = measure_lights(brdf, measured, options.lights);
   if (!lights) return lights.error();
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     const Candidate& from = candidates[c];
