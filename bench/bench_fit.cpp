@@ -8,6 +8,7 @@
 #include "openltc/fit/lobe_sums.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/fit/table_fit.h"
+#include "openltc/fit/two_lobe_fit.h"
 
 #include <benchmark/benchmark.h>
 
@@ -25,6 +26,16 @@ void table_fit(benchmark::State& state, const brdf::Brdf* brdf, int size, const 
   options.lobe.objective = *fit::find_objective(objective);
   for (auto _ : state) {
     const Result<table::LobeTable> fitted = fit::fit_table(*brdf, options);
+    if (!fitted) state.SkipWithError(fitted.error().message.c_str());
+  }
+}
+
+void two_lobe_fit(benchmark::State& state, int size, const char* objective) {
+  fit::TableFitOptions options;
+  options.size = size;
+  options.lobe.objective = *fit::find_objective(objective);
+  for (auto _ : state) {
+    const auto fitted = fit::fit_two_lobe_table(*brdf::find_brdf("ggx"), options);
     if (!fitted) state.SkipWithError(fitted.error().message.c_str());
   }
 }
@@ -101,6 +112,11 @@ int main(int argc, char** argv) {
   for (const char* objective : {"tv", "l2", "l3"})
     milliseconds(benchmark::RegisterBenchmark((std::string("ggx table 64, ") + objective).c_str(),
                                               table_fit, ggx, 64, objective));
+  for (const char* objective : {"balanced", "tv"})
+    for (const int size : {16, 32, 64})
+      milliseconds(benchmark::RegisterBenchmark(
+          ("ggx two lobes " + std::to_string(size) + ", " + objective).c_str(), two_lobe_fit, size,
+          objective));
   for (int degree = 3; degree <= 6; ++degree)
     milliseconds(benchmark::RegisterBenchmark(
         ("ggx polynomial of degree " + std::to_string(degree)).c_str(), polynomial_fit, degree));

@@ -23,7 +23,8 @@ std::string fit_command_of(const std::string& brdf, const fit::FitRequest& c) {
   if (c.form == table::LobeForm::polynomial)
     command += fmt::format(" --form polynomial --degree {}", c.degree);
   else
-    command += fmt::format(" --size {}", c.size);
+    command += fmt::format("{} --size {}",
+                           c.form == table::LobeForm::two_lobe ? " --form two-lobe" : "", c.size);
   if (c.objective != standard.objective) command += fmt::format(" --objective {}", c.objective);
   if (c.layout != standard.layout) command += fmt::format(" --layout {}", name_of(c.layout));
   if (c.precision != standard.precision)

@@ -126,22 +126,38 @@ Status check_lobe_options(const RenderJob& job) {
                            arguments.lobes ? "--lobes" : "--table")};
 }
 
+const char* name_of(table::LobeForm form) {
+  return form == table::LobeForm::polynomial ? "polynomial"
+         : form == table::LobeForm::two_lobe ? "table of two lobes"
+                                             : "table";
+}
+
+table::LobeForm form_of(const table::ShadingLobes& lobes) {
+  if (std::holds_alternative<table::LobePolynomial>(lobes)) return table::LobeForm::polynomial;
+  return std::get<table::LobeTable>(lobes).two_lobes() ? table::LobeForm::two_lobe
+                                                       : table::LobeForm::table;
+}
+
 /// The lobes to shade with; those of a file are kept in `own`.
 Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, table::ShadingLobes& own,
                                         std::vector<std::string>& notes) {
   if (arguments.table.empty()) {
-    if (arguments.lobes.value_or(table::LobeForm::table) == table::LobeForm::polynomial)
+    switch (arguments.lobes.value_or(table::LobeForm::table)) {
+    case table::LobeForm::polynomial:
       return render::LobeSource(table::builtin_ggx_polynomial());
-    return render::LobeSource(table::builtin_ggx_table());
+    case table::LobeForm::two_lobe:
+      return render::LobeSource(table::builtin_ggx_two_lobe_table());
+    case table::LobeForm::table:
+      return render::LobeSource(table::builtin_ggx_table());
+    }
   }
   Result<table::ShadingLobes> read = table::read_shading_lobes(arguments.table, notes);
   if (!read) return read.error();
   own = std::move(*read);
-  const bool polynomial = std::holds_alternative<table::LobePolynomial>(own);
-  if (arguments.lobes && (*arguments.lobes == table::LobeForm::polynomial) != polynomial)
+  const table::LobeForm form = form_of(own);
+  if (arguments.lobes && *arguments.lobes != form)
     return Error{fmt::format("{}: holds a lobe {}, but --lobes asks for a {}", arguments.table,
-                             polynomial ? "polynomial" : "table",
-                             polynomial ? "table" : "polynomial")};
+                             name_of(form), name_of(*arguments.lobes))};
   return std::visit([](const auto& lobes) { return render::LobeSource(lobes); }, own);
 }
 

@@ -126,11 +126,13 @@ void add_display(CLI::App& command, RenderArguments& a) {
 
 void add_lobes(CLI::App& command, RenderArguments& a) {
   const Choices<table::LobeForm> forms_of_lobes = {{"table", table::LobeForm::table},
-                                                   {"polynomial", table::LobeForm::polynomial}};
-  add_choice(command, "--lobes", a.lobes,
-             "Lobes of the LTC integrator from a table or from a polynomial [what --table holds; "
-             "table]",
-             forms_of_lobes);
+                                                   {"polynomial", table::LobeForm::polynomial},
+                                                   {"two-lobe", table::LobeForm::two_lobe}};
+  add_choice(
+      command, "--lobes", a.lobes,
+      "Lobes of the LTC integrator from a table, a polynomial or a table of two lobes at every "
+      "node, half the error for half as much time again [what --table holds; table]",
+      forms_of_lobes);
   command
       .add_option(
           "--table", a.table,

@@ -78,14 +78,15 @@ OPENLTC_EXPORT const char* openltc_last_error(void);
 
 /// Forms of lobes over roughness and view angle.
 enum {
-  OPENLTC_TABLE = 0,     ///< texels to look up
-  OPENLTC_POLYNOMIAL = 1 ///< terms to evaluate
+  OPENLTC_TABLE = 0,         ///< texels to look up
+  OPENLTC_POLYNOMIAL = 1,    ///< terms to evaluate
+  OPENLTC_TWO_LOBE_TABLE = 2 ///< texels of two lobes to look up: half the error of one
 };
 
 /// Lobes of a BRDF; owns its numbers and never changes.
 typedef struct openltc_lobes openltc_lobes;
 
-/// The lobes of GGX that come with the library: `form` is OPENLTC_TABLE or OPENLTC_POLYNOMIAL.
+/// The lobes of GGX that come with the library; `form` is any of the three.
 OPENLTC_EXPORT openltc_status openltc_lobes_create_built_in(int32_t form, openltc_lobes** lobes);
 
 /// A table of one's own, which is copied: rows x columns texels of 8 floats, A B C D n1 n5 0 0, a
@@ -95,6 +96,15 @@ OPENLTC_EXPORT openltc_status openltc_lobes_create_built_in(int32_t form, openlt
 /// Refuses numbers that are not finite and texels without a positive determinant.
 OPENLTC_EXPORT openltc_status openltc_lobes_create_table(const float* texels, size_t columns,
                                                          size_t rows, openltc_lobes** lobes);
+
+/// A table of two lobes at every node, which is copied: texels as of openltc_lobes_create_table,
+/// but A B C D n1 n5 w 0 with the second lobe's share w of n1, 0..1; and as many of 4 floats, A B C
+/// D of the second lobe, packed as the first. Refuses what openltc_lobes_create_table refuses, in
+/// either lobe, and other weights.
+OPENLTC_EXPORT openltc_status openltc_lobes_create_two_lobe_table(const float* texels,
+                                                                  const float* second,
+                                                                  size_t columns, size_t rows,
+                                                                  openltc_lobes** lobes);
 
 /// A polynomial of one's own, which is copied: (degree + 1)(degree + 2)/2 terms of 8 floats,
 /// A B C D n1 s 0 0, as openltc_fit makes them; degree 3 to 6. Refuses numbers that are not finite
@@ -370,9 +380,9 @@ enum {
 
 /// How lobes are fitted. All zero, or a null pointer to it: a table as the built-in one.
 typedef struct openltc_fit_options {
-  int32_t form;          ///< OPENLTC_TABLE or OPENLTC_POLYNOMIAL
+  int32_t form;          ///< OPENLTC_TABLE, OPENLTC_POLYNOMIAL or OPENLTC_TWO_LOBE_TABLE
   int32_t refine;        ///< of a table
-  size_t size;           ///< nodes per axis of a table, 2 to 512; 0 = 64
+  size_t size;           ///< nodes per axis of a table, 2 to 512; 0 = 64, of two lobes 16
   size_t degree;         ///< of a polynomial, 3 to 6; 0 = 4
   const char* objective; ///< "balanced", "tv", "l2", "l3" or "TV,L2,L3"; null = "balanced"
   openltc_progress_function progress; ///< null: nobody asks
@@ -398,9 +408,11 @@ OPENLTC_EXPORT size_t openltc_fit_capacity(const openltc_fit_options* options);
 
 /// Fits lobes to a BRDF by its name, or to a measured one by the path of a MERL file, which ends in
 /// ".binary", and writes them to `numbers`, which has room for `capacity` floats, in the form that
-/// openltc_lobes_create_table or openltc_lobes_create_polynomial reads. Runs on all cores; the
-/// result does not depend on them. With null for `result` the error is not measured, which saves a
-/// good part of the time. Where it fails `numbers` is as it was, and `result` zero.
+/// openltc_lobes_create_table or openltc_lobes_create_polynomial reads; of two lobes the texels of
+/// 8 floats and behind all of them those of 4 that openltc_lobes_create_two_lobe_table calls
+/// `second`. Runs on all cores; the result does not depend on them. With null for `result` the
+/// error is not measured, which saves a good part of the time. Where it fails `numbers` is as it
+/// was, and `result` zero.
 OPENLTC_EXPORT openltc_status openltc_fit(const char* brdf, const openltc_fit_options* options,
                                           float* numbers, size_t capacity,
                                           openltc_fit_result* result);

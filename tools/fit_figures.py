@@ -130,6 +130,12 @@ def main():
         rows.append([f"balanced, degree {degree}", *figures(data, 0)])
     data = report(openltc, "--form", "polynomial", "--objective", "tv")
     rows.append(["tv, degree 4", *figures(data, 0)])
+    for objective, sizes in (("balanced", (8, 16, 32, 64)), ("tv", (16, 32, 64))):
+        for size in sizes:
+            data = report(openltc, "--form", "two-lobe", "--objective", objective, "--size", str(size))
+            name = f"two lobes, {objective}, {size}²"
+            built_in = objective == "balanced" and size == 16
+            rows.append([f"**{name}**" if built_in else name, *figures(data, 0)])
     blocks = {"figures": markdown(HEAD, rows)}
 
     curve = []
@@ -146,6 +152,9 @@ def main():
         data = report(openltc, "--brdf", name)
         rows.append([f"`{name}`", *figures(data, 0), figures(data, 1)[0]])
     blocks["brdfs"] = markdown([*HEAD, "TV of the limit"], rows)
+    rows = [[f"`{name}`", *figures(report(openltc, "--brdf", name, "--form", "two-lobe"), 0)]
+            for name in names]
+    blocks["two-lobe brdfs"] = markdown(HEAD, rows)
 
     text = PAGE.read_text()
     for name, block in blocks.items():

@@ -93,7 +93,7 @@ void restate_errors(table::PackedTable& packed) {
   fit::MeasureOptions options;
   options.horizon = fit::horizon_of(packed);
   const Result<fit::TableError> error = fit::measure_lobes(
-      *brdf, [&](double roughness, double c) { return fetch_albedo(packed, roughness, c); },
+      *brdf, [&](double roughness, double c) { return fit::fetch_measured(packed, roughness, c); },
       options);
   if (!error) return;
   const auto four_digits = [](double x) {

@@ -50,8 +50,10 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
   const table::TableMetadata& m = packed.metadata;
   const table::LayoutFacts& facts = facts_of(packed.layout);
   Description out;
-  out.text = fmt::format("lobe table, {} x {} nodes over roughness and {}\n", packed.columns(),
-                         packed.rows(), name_of(packed.angle_axis));
+  const bool two = packed.layout == table::Layout::native_two;
+  out.text =
+      fmt::format("lobe table{}, {} x {} nodes over roughness and {}\n", two ? " of two lobes" : "",
+                  packed.columns(), packed.rows(), name_of(packed.angle_axis));
   out.text += fmt::format("layout     {}, {} ({})\n", name_of(packed.layout),
                           name_of(packed.precision), facts.readers);
   out.text += fmt::format("packing    {}\n", facts.normalisation);
@@ -79,7 +81,7 @@ Description describe_packed(const std::string& path, const table::PackedTable& p
               {"mean_tv", known_or_null(m.mean_tv)},
               {"max_tv", known_or_null(m.max_tv)}};
   add_measured_errors(
-      m.brdf, [&](double roughness, double c) { return fetch_albedo(packed, roughness, c); },
+      m.brdf, [&](double roughness, double c) { return fit::fetch_measured(packed, roughness, c); },
       fit::horizon_of(packed), out);
   for (std::size_t t = 0; t < packed.textures.size(); ++t)
     add_ranges(packed.textures[t], {facts.channels[t].begin(), facts.channels[t].end()}, out);

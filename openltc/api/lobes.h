@@ -7,13 +7,14 @@
 // Transformed Cosines"; both forms are fitted by `openltc fit` to GGX with height-correlated Smith
 // masking, and say in their metadata how well.
 //
-// Define OPENLTC_NO_TABLE to leave the table out, 128 KiB of constants.
+// Define OPENLTC_NO_TABLE to leave the tables out, 140 KiB of constants.
 
 #pragma once
 
 #include "openltc/api/ggx_polynomial.inc"
 #ifndef OPENLTC_NO_TABLE
 #include "openltc/api/ggx_table.inc"
+#include "openltc/api/ggx_two_lobes.inc"
 #endif
 #include "openltc/target/shade_f32.h"
 
@@ -25,8 +26,10 @@ namespace openltc {
 /// Lobes over roughness and view angle. A view: the arrays behind it outlive every surface that is
 /// made with it. Without any, surfaces are black.
 struct Lobes {
-  /// 8 floats a texel, A B C D n1 n5 0 0; columns are roughness = sqrt(alpha) from 0 to 1, rows
+  /// 8 floats a texel, A B C D n1 n5 w 0; columns are roughness = sqrt(alpha) from 0 to 1, rows
   /// sqrt(1 - cos theta) from 0 to 1, nodes at both ends. A table of `openltc fit` or of your own.
+  /// One of two lobes has in `second` 4 floats a texel, A B C D of the second lobe, whose share w
+  /// of n1 is 0 to 1.
   LobeTableView table;
   /// Used instead of the table where it has coefficients: (degree + 1)(degree + 2)/2 terms of 8
   /// floats, A B C D n1 s 0 0 (openltc/shade/polynomial.glsl).
@@ -37,7 +40,16 @@ struct Lobes {
 /// The table that comes with the library, 64 x 64, GGX: k_ggx_table_metadata says how it was made.
 inline Lobes built_in_table() {
   Lobes lobes;
-  lobes.table = {k_ggx_table, k_ggx_table_columns, k_ggx_table_rows};
+  lobes.table = {k_ggx_table, k_ggx_table_columns, k_ggx_table_rows, nullptr};
+  return lobes;
+}
+
+/// Two lobes at every node, 16 x 16, GGX: half the error of one lobe, for half as much time again
+/// for each light (k_ggx_two_lobes_metadata says how it was made).
+inline Lobes built_in_two_lobe_table() {
+  Lobes lobes;
+  lobes.table = {k_ggx_two_lobes, k_ggx_two_lobes_columns, k_ggx_two_lobes_rows,
+                 k_ggx_two_lobes_second};
   return lobes;
 }
 #endif
@@ -55,6 +67,10 @@ namespace detail {
 inline bool has_lobes(const Lobes& lobes) {
   return lobes.polynomial.coefficients ||
          (lobes.table.texels && lobes.table.columns > 0 && lobes.table.rows > 0);
+}
+
+inline bool has_second_lobe(const Lobes& lobes) {
+  return !lobes.polynomial.coefficients && f32::lobe_table_has_second(lobes.table);
 }
 
 inline f32::FittedLobe find_lobe(const Lobes& lobes, float roughness, float cos_theta) {

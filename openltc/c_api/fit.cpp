@@ -4,10 +4,12 @@
 #include "openltc/base/progress.h"
 #include "openltc/brdf/choose.h"
 #include "openltc/c_api/status.h"
+#include "openltc/fit/fit_job.h"
 #include "openltc/fit/measure/error.h"
 #include "openltc/fit/objective.h"
 #include "openltc/fit/polynomial_fit.h"
 #include "openltc/fit/table_fit.h"
+#include "openltc/fit/two_lobe_fit.h"
 
 #include <fmt/format.h>
 
@@ -23,6 +25,7 @@ using c_api::fail;
 namespace {
 
 constexpr std::size_t k_channels = 8;
+constexpr std::size_t k_second_channels = 4;
 constexpr std::size_t k_min_size = 2, k_max_size = 512;
 // Of the progress: the rest is for measuring.
 constexpr double k_fit_share = 0.9;
@@ -33,12 +36,17 @@ struct Request {
   int size = 64;
   int degree = 4;
   fit::Refine refine = fit::Refine::automatic;
+  bool two_lobes = false;
 };
 
 openltc_status read_options(const openltc_fit_options& options, Request& request) {
-  if (options.form != OPENLTC_TABLE && options.form != OPENLTC_POLYNOMIAL)
-    return fail(OPENLTC_INVALID_ARGUMENT, "form is neither OPENLTC_TABLE nor OPENLTC_POLYNOMIAL");
+  if (options.form != OPENLTC_TABLE && options.form != OPENLTC_POLYNOMIAL &&
+      options.form != OPENLTC_TWO_LOBE_TABLE)
+    return fail(OPENLTC_INVALID_ARGUMENT, "form is none of OPENLTC_TABLE, OPENLTC_POLYNOMIAL and "
+                                          "OPENLTC_TWO_LOBE_TABLE");
   request.is_polynomial = options.form == OPENLTC_POLYNOMIAL;
+  request.two_lobes = options.form == OPENLTC_TWO_LOBE_TABLE;
+  if (request.two_lobes) request.size = fit::k_two_lobe_size;
   if (options.size != 0 && (options.size < k_min_size || options.size > k_max_size))
     return fail(OPENLTC_INVALID_ARGUMENT, fmt::format("size is {}; a table has {} to {} nodes per "
                                                       "axis",
@@ -61,6 +69,11 @@ openltc_status read_options(const openltc_fit_options& options, Request& request
 
 std::size_t polynomial_floats(int degree) {
   return std::size_t(table::polynomial_terms(degree)) * k_channels;
+}
+
+/// Of a texel, both lobes'.
+std::size_t texel_floats(const Request& request) {
+  return request.two_lobes ? k_channels + k_second_channels : k_channels;
 }
 
 /// Where the fit stands when it ends early.
@@ -89,7 +102,7 @@ openltc_status fit_brdf(const brdf::Brdf& brdf, const openltc_fit_options* given
   } else {
     made.rows = std::size_t(request.size);
     made.columns = brdf.has_parameter() ? made.rows : 1;
-    made.float_count = made.columns * made.rows * k_channels;
+    made.float_count = made.columns * made.rows * texel_floats(request);
   }
   if (capacity < made.float_count) {
     if (result) *result = made;
@@ -125,10 +138,12 @@ openltc_status fit_brdf(const brdf::Brdf& brdf, const openltc_fit_options* given
     how.size = request.size;
     how.refine = request.refine;
     how.lobe.objective = *objective;
-    Result<table::LobeTable> fit = fit::fit_table(brdf, how, fitting);
+    Result<table::LobeTable> fit = request.two_lobes ? fit::fit_two_lobe_table(brdf, how, fitting)
+                                                     : fit::fit_table(brdf, how, fitting);
     if (!fit) return failure(fit.error());
     if (result) error = fit::measure_lobes(brdf, fit::lobes_of(*fit), region);
     fitted = std::move(fit->texels);
+    fitted.insert(fitted.end(), fit->second.begin(), fit->second.end());
   }
   if (!error) return failure(error.error());
   if (progress && !progress(1.0)) return failure(cancelled());
@@ -171,7 +186,7 @@ size_t openltc_fit_capacity(const openltc_fit_options* options) {
       if (const openltc_status status = read_options(*options, request)) return status;
     count = request.is_polynomial
                 ? polynomial_floats(request.degree)
-                : std::size_t(request.size) * std::size_t(request.size) * k_channels;
+                : std::size_t(request.size) * std::size_t(request.size) * texel_floats(request);
     return OPENLTC_OK;
   });
   return count;

@@ -18,7 +18,8 @@
 
 struct openltc_lobes {
   std::vector<float> numbers; ///< empty: those of the library
-  openltc::Lobes view;        ///< of `numbers`, or built in
+  std::vector<float> second;  ///< of a table of two lobes
+  openltc::Lobes view;        ///< of `numbers` and `second`, or built in
 };
 
 namespace openltc::c_api {

@@ -20,13 +20,50 @@ constexpr std::size_t k_channels = 8;
 constexpr std::size_t k_max_size = 512; // nodes per axis, as files and the fitter have it
 
 /// Copies texels or terms that are finite; otherwise names the first that is not.
-openltc_status copy_numbers(const float* numbers, std::size_t count, std::vector<float>& copy) {
+openltc_status copy_numbers(const float* numbers, std::size_t count, std::vector<float>& copy,
+                            std::size_t channels = k_channels) {
   for (std::size_t i = 0; i < count; ++i)
     if (!std::isfinite(numbers[i]))
-      return fail(OPENLTC_INVALID_ARGUMENT,
-                  fmt::format("lobes: channel {} of number {} is not finite", i % k_channels,
-                              i / k_channels));
+      return fail(
+          OPENLTC_INVALID_ARGUMENT,
+          fmt::format("lobes: channel {} of number {} is not finite", i % channels, i / channels));
   copy.assign(numbers, numbers + count);
+  return OPENLTC_OK;
+}
+
+/// A table of one lobe, or of two where there is a second.
+openltc_status create_table(const float* texels, const float* second, std::size_t columns,
+                            std::size_t rows, openltc_lobes& made) {
+  if (!texels) return fail(OPENLTC_INVALID_ARGUMENT, "texels is null");
+  if (columns < 2 || columns > k_max_size || rows < 2 || rows > k_max_size)
+    return fail(OPENLTC_INVALID_ARGUMENT,
+                fmt::format("a table of {} x {} nodes; surfaces are shaded with 2 to {} of each",
+                            columns, rows, k_max_size));
+  table::LobeTable table;
+  table.columns = int(columns);
+  table.rows = int(rows);
+  const std::size_t count = columns * rows;
+  if (const openltc_status status = copy_numbers(texels, count * k_channels, table.texels))
+    return status;
+  if (second) {
+    constexpr std::size_t channels = table::LobeTable::k_second_channels;
+    if (const openltc_status status =
+            copy_numbers(second, count * channels, table.second, channels))
+      return status;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float weight = texels[i * k_channels + 6];
+      if (!(weight >= 0 && weight <= 1))
+        return fail(
+            OPENLTC_INVALID_ARGUMENT,
+            fmt::format("lobes: the weight of texel {} is {:g}, not within 0 to 1", i, weight));
+    }
+  }
+  if (const Status status = table::check_determinants(table, "lobes"); !status)
+    return fail(OPENLTC_INVALID_ARGUMENT, status.error().message);
+  made.numbers = std::move(table.texels);
+  made.second = std::move(table.second);
+  made.view.table = {made.numbers.data(), table.columns, table.rows,
+                     second ? made.second.data() : nullptr};
   return OPENLTC_OK;
 }
 
@@ -34,9 +71,15 @@ openltc_status copy_numbers(const float* numbers, std::size_t count, std::vector
 
 openltc_status openltc_lobes_create_built_in(int32_t form, openltc_lobes** lobes) {
   return c_api::create(lobes, [&](openltc_lobes& made) -> openltc_status {
-    if (form != OPENLTC_TABLE && form != OPENLTC_POLYNOMIAL)
-      return fail(OPENLTC_INVALID_ARGUMENT, "form is neither OPENLTC_TABLE nor OPENLTC_POLYNOMIAL");
-    made.view = form == OPENLTC_TABLE ? built_in_table() : built_in_polynomial();
+    if (form == OPENLTC_TABLE)
+      made.view = built_in_table();
+    else if (form == OPENLTC_POLYNOMIAL)
+      made.view = built_in_polynomial();
+    else if (form == OPENLTC_TWO_LOBE_TABLE)
+      made.view = built_in_two_lobe_table();
+    else
+      return fail(OPENLTC_INVALID_ARGUMENT, "form is none of OPENLTC_TABLE, OPENLTC_POLYNOMIAL and "
+                                            "OPENLTC_TWO_LOBE_TABLE");
     return OPENLTC_OK;
   });
 }
@@ -44,21 +87,16 @@ openltc_status openltc_lobes_create_built_in(int32_t form, openltc_lobes** lobes
 openltc_status openltc_lobes_create_table(const float* texels, size_t columns, size_t rows,
                                           openltc_lobes** lobes) {
   return c_api::create(lobes, [&](openltc_lobes& made) -> openltc_status {
-    if (!texels) return fail(OPENLTC_INVALID_ARGUMENT, "texels is null");
-    if (columns < 2 || columns > k_max_size || rows < 2 || rows > k_max_size)
-      return fail(OPENLTC_INVALID_ARGUMENT,
-                  fmt::format("a table of {} x {} nodes; surfaces are shaded with 2 to {} of each",
-                              columns, rows, k_max_size));
-    table::LobeTable table;
-    table.columns = int(columns);
-    table.rows = int(rows);
-    const std::size_t count = columns * rows * k_channels;
-    if (const openltc_status status = copy_numbers(texels, count, table.texels)) return status;
-    if (const Status status = table::check_determinants(table, "lobes"); !status)
-      return fail(OPENLTC_INVALID_ARGUMENT, status.error().message);
-    made.numbers = std::move(table.texels);
-    made.view.table = {made.numbers.data(), table.columns, table.rows};
-    return OPENLTC_OK;
+    return create_table(texels, nullptr, columns, rows, made);
+  });
+}
+
+openltc_status openltc_lobes_create_two_lobe_table(const float* texels, const float* second,
+                                                   size_t columns, size_t rows,
+                                                   openltc_lobes** lobes) {
+  return c_api::create(lobes, [&](openltc_lobes& made) -> openltc_status {
+    if (!second) return fail(OPENLTC_INVALID_ARGUMENT, "second is null");
+    return create_table(texels, second, columns, rows, made);
   });
 }
 

@@ -3,8 +3,10 @@
 
 #include "openltc/fit/fit_job.h"
 
+#include "openltc/fit/measure/certificate.h"
 #include "openltc/fit/measure/limit.h"
 #include "openltc/fit/polynomial_fit.h"
+#include "openltc/fit/two_lobe_fit.h"
 #include "openltc/table/divided.h"
 #include "openltc/table/packed_file.h"
 #include "openltc/table/polynomial_file.h"
@@ -23,6 +25,11 @@ namespace {
 
 using table::Layout;
 using table::PackedTable;
+
+// In which the lobes are stored.
+Layout stored_layout(const FitRequest& request) {
+  return request.form == table::LobeForm::two_lobe ? Layout::native_two : request.layout;
+}
 
 bool is_builtin_source(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
@@ -82,15 +89,22 @@ Result<FittedLobes> fit_table_form(const brdf::Brdf& brdf, const FitRequest& req
     options.refine = Refine::off;
   options.angle_axis = table::angle_axis_of(request.layout);
   options.lobe.objective = objective;
-  Result<table::LobeTable> fitted = fit_table(brdf, options, progress);
+  const bool two = request.form == table::LobeForm::two_lobe;
+  Result<table::LobeTable> fitted =
+      two ? fit_two_lobe_table(brdf, options, progress) : fit_table(brdf, options, progress);
   if (!fitted) return fitted.error();
-  Result<PackedTable> packed = table::pack(*fitted, request.layout, table::Precision::float32);
+  Result<PackedTable> packed =
+      table::pack(*fitted, stored_layout(request), table::Precision::float32);
   if (!packed) return packed.error();
   if (request.layout != Layout::native && request.clip_aware) table::divide_amplitudes(*packed);
   packed = table::with_precision(*packed, request.precision);
   if (!packed) return packed.error();
   FittedLobes result;
   if (request.layout != Layout::native) result.warning = interpolation_warning(*packed);
+  if (two)
+    result.note = fmt::format("certified: A D - w B C >= {:.2e} of both lobes, between the nodes "
+                              "too; no lobe turns inside out",
+                              certify_determinants(*fitted).lower_bound);
   result.stored = std::move(*packed);
   result.nodes = std::move(*fitted);
   return result;
@@ -110,7 +124,7 @@ const table::TableMetadata& FittedLobes::metadata() const {
 LobeFunction FittedLobes::lobes() const {
   if (const auto* packed = std::get_if<PackedTable>(&stored))
     return [packed](double roughness, double cos_theta) {
-      return table::fetch_albedo(*packed, roughness, cos_theta);
+      return fetch_measured(*packed, roughness, cos_theta);
     };
   return lobes_of(std::get<table::LobePolynomial>(stored));
 }
@@ -132,12 +146,13 @@ Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const Fit
   std::vector<std::string> all;
   for (const std::string& path : paths) {
     std::vector<std::string> files = {path};
-    if (request.form == table::LobeForm::table && is_builtin_source(path)) {
+    const bool polynomial = request.form == table::LobeForm::polynomial;
+    if (!polynomial && is_builtin_source(path)) {
       if (request.layout != Layout::native || request.precision != table::Precision::float32)
         return Error{path + ": C++ source of the built-in is for --layout native --precision "
                             "float32; .h holds any"};
-    } else if (request.form == table::LobeForm::table) {
-      files = table::packed_files(request.layout, path);
+    } else if (!polynomial) {
+      files = table::packed_files(stored_layout(request), path);
     }
     if (is_builtin_source(path) && brdf.width != brdf::LobeWidth::alpha)
       return Error{fmt::format("{}: C++ source of the built-in is for lobes that narrow with "
@@ -178,15 +193,17 @@ Candidate candidate_of(const FittedLobes& fitted, const FitRequest& request) {
   Candidate c;
   c.label = request.form == table::LobeForm::polynomial
                 ? fmt::format("{}, degree {}", request.objective, request.degree)
-                : fmt::format("{}, {}", request.objective, request.size);
+                : fmt::format("{}{}, {}", request.objective,
+                              request.form == table::LobeForm::two_lobe ? ", two lobes" : "",
+                              request.size);
   c.lobes = fitted.lobes();
   c.horizon = fitted.horizon;
   const table::TableMetadata& m = fitted.metadata();
   for (const table::MetadataField& field : table::k_metadata_fields)
     if (field.text && !(m.*field.text).empty()) c.metadata.emplace_back(field.name, m.*field.text);
-  if (request.form == table::LobeForm::table)
-    c.metadata.emplace_back(
-        "layout", fmt::format("{}, {}", name_of(request.layout), name_of(request.precision)));
+  if (request.form != table::LobeForm::polynomial)
+    c.metadata.emplace_back("layout", fmt::format("{}, {}", name_of(stored_layout(request)),
+                                                  name_of(request.precision)));
   if (!fitted.note.empty()) c.metadata.emplace_back("proof", fitted.note);
   if (fitted.nodes) c.nodes = node_axes(*fitted.nodes, MeasureOptions{0, 1, 90});
   return c;

@@ -22,13 +22,17 @@
 
 namespace openltc::fit {
 
+/// Nodes per axis of the built-in table of two lobes: more hardly lower the error
+/// (docs/fitting.md).
+inline constexpr int k_two_lobe_size = 16;
+
 /// What is asked for. The defaults give the built-in table.
 struct FitRequest {
-  int size = 64;                      ///< nodes per axis of a table, 2..512
+  int size = 64;                      ///< nodes per axis of a table, 2..512; see k_two_lobe_size
   std::string objective = "balanced"; ///< as find_objective reads it
   table::LobeForm form = table::LobeForm::table;
-  int degree = 4; ///< of a polynomial
-  table::Layout layout = table::Layout::native;
+  int degree = 4;                               ///< of a polynomial
+  table::Layout layout = table::Layout::native; ///< of two lobes stored as native_two
   table::Precision precision = table::Precision::float32;
   Refine refine = Refine::automatic;
   /// Fit for a renderer that clips lights at the horizon, for layouts other than native, which is

@@ -48,10 +48,34 @@ struct LobeDerivatives {
   double hessian[10];
 };
 
-/// Both sums, for one instruction set.
+/// The points and the constants of two lobes, whose weighted sum is the density.
+struct TwoLobeSumsInput {
+  LobeSumsInput points; ///< its lobe apart: points, rounding, floor and the weights of the sums
+  struct Part {
+    double m[4];         ///< as in LobeSumsInput
+    double det = 0;      ///< without the weight
+    double log_slope[4]; ///< derivative of log(det) by m[k]
+    double weight = 0;   ///< of this lobe, 0..1
+  } parts[2];
+};
+
+/// The unknowns of two lobes: m of the first, m of the second, the weight of the second, that of
+/// the first being the rest.
+inline constexpr int k_two_lobe_unknowns = 9;
+
+/// Gradient by them of the weighted sum, and the reweighted squares' matrix, upper triangle by
+/// rows.
+struct TwoLobeDerivatives {
+  double gradient[k_two_lobe_unknowns];
+  double hessian[k_two_lobe_unknowns * (k_two_lobe_unknowns + 1) / 2];
+};
+
+/// The sums, for one instruction set.
 struct LobeSums {
   void (*distances)(const LobeSumsInput& input, LobeDistances& output);
   void (*derivatives)(const LobeSumsInput& input, LobeDerivatives& output);
+  void (*two_distances)(const TwoLobeSumsInput& input, LobeDistances& output);
+  void (*two_derivatives)(const TwoLobeSumsInput& input, TwoLobeDerivatives& output);
 };
 
 /// The variant for this machine.

@@ -134,8 +134,117 @@ void derivatives(const LobeSumsInput& in, LobeDerivatives& out) {
     out.hessian[k] = h_lanes[k].sum();
 }
 
+// One of two lobes at as many points as a register holds: o and what follows from it.
+struct PartAt {
+  Block ox, oz, q, inside, d;
+
+  PartAt(const TwoLobeSumsInput::Part& part, const Block& x, const Block& y, const Block& z) {
+    const Block none = {};
+    ox = part.m[0] * x + part.m[1] * z;
+    oz = part.m[2] * x + part.m[3] * z;
+    q = 1.0 / (ox * ox + y * y + oz * oz);
+    inside = oz > none ? part.det * q * q : none;
+    d = oz * inside;
+  }
+
+  // weight times the derivatives of d by m.
+  void slopes(const TwoLobeSumsInput::Part& part, const Block& x, const Block& z,
+              Block* slope) const {
+    const Block four_dq = 4.0 * d * q;
+    const Block by_x = -four_dq * ox, by_z = inside - four_dq * oz;
+    slope[0] = part.weight * (d * part.log_slope[0] + by_x * x);
+    slope[1] = part.weight * (d * part.log_slope[1] + by_x * z);
+    slope[2] = part.weight * (d * part.log_slope[2] + by_z * x);
+    slope[3] = part.weight * (d * part.log_slope[3] + by_z * z);
+  }
+};
+
+void two_distances(const TwoLobeSumsInput& input, LobeDistances& out) {
+  const LobeSumsInput& in = input.points;
+  const Block zero = {};
+  Lanes missing_lanes, squares_lanes, cubes_lanes;
+  for (int offset = 0; offset < k_lanes; offset += k_width) {
+    Block missing = zero, squares = zero, cubes = zero;
+    for (std::size_t i = std::size_t(offset); i < in.count; i += k_lanes) {
+      Block x, y, z, w, p;
+      load(x, in.x + i);
+      load(y, in.y + i);
+      load(z, in.z + i);
+      load(w, in.weight + i);
+      load(p, in.density + i);
+      const PartAt first(input.parts[0], x, y, z), second(input.parts[1], x, y, z);
+      const Block r = input.parts[0].weight * first.d + input.parts[1].weight * second.d - p;
+      const Block a = r < zero ? -r : r;
+      const Block square = w * r * r;
+      missing += square / (a + (in.rounding * p + in.floor)) - w * r;
+      squares += square;
+      cubes += square * a;
+    }
+    missing_lanes.set(offset, missing);
+    squares_lanes.set(offset, squares);
+    cubes_lanes.set(offset, cubes);
+  }
+  out.missing = 0.5 * missing_lanes.sum();
+  out.squares = squares_lanes.sum();
+  out.cubes = cubes_lanes.sum();
+}
+
+void two_derivatives(const TwoLobeSumsInput& input, TwoLobeDerivatives& out) {
+  constexpr int k_unknowns = k_two_lobe_unknowns, k_entries = k_unknowns * (k_unknowns + 1) / 2;
+  const LobeSumsInput& in = input.points;
+  const Block zero = {};
+  Lanes g_lanes[k_unknowns], h_lanes[k_entries];
+  const double half_tv = 0.5 * in.tv;
+  for (int offset = 0; offset < k_lanes; offset += k_width) {
+    Block g[k_unknowns], h[k_entries];
+    for (Block& sum : g)
+      sum = zero;
+    for (Block& sum : h)
+      sum = zero;
+    for (std::size_t i = std::size_t(offset); i < in.count; i += k_lanes) {
+      Block x, y, z, w, p;
+      load(x, in.x + i);
+      load(y, in.y + i);
+      load(z, in.z + i);
+      load(w, in.weight + i);
+      load(p, in.density + i);
+      const PartAt first(input.parts[0], x, y, z), second(input.parts[1], x, y, z);
+      const Block r = input.parts[0].weight * first.d + input.parts[1].weight * second.d - p;
+      const Block a = r < zero ? -r : r;
+      const Block e = in.rounding * p + in.floor;
+      const Block inverse = 1.0 / (a + e);
+      const Block omega =
+          w * (half_tv * (a + 2.0 * e) * inverse * inverse + 2.0 * in.squares + 3.0 * in.cubes * a);
+      const Block pull = omega * r - half_tv * w; // the gradient by the density
+      Block slope[k_unknowns];
+      first.slopes(input.parts[0], x, z, slope);
+      second.slopes(input.parts[1], x, z, slope + 4);
+      slope[8] = second.d - first.d;
+      int entry = 0;
+#pragma GCC unroll 9
+      for (int k = 0; k < k_unknowns; ++k) {
+        g[k] += pull * slope[k];
+        const Block weighted = omega * slope[k];
+#pragma GCC unroll 9
+        for (int l = k; l < k_unknowns; ++l, ++entry)
+          h[entry] += weighted * slope[l];
+      }
+    }
+    for (int k = 0; k < k_unknowns; ++k)
+      g_lanes[k].set(offset, g[k]);
+    for (int k = 0; k < k_entries; ++k)
+      h_lanes[k].set(offset, h[k]);
+  }
+  for (int k = 0; k < k_unknowns; ++k)
+    out.gradient[k] = g_lanes[k].sum();
+  for (int k = 0; k < k_entries; ++k)
+    out.hessian[k] = h_lanes[k].sum();
+}
+
 } // namespace
 
-LobeSums OPENLTC_PASTE(lobe_sums_, OPENLTC_ISA)() { return {distances, derivatives}; }
+LobeSums OPENLTC_PASTE(lobe_sums_, OPENLTC_ISA)() {
+  return {distances, derivatives, two_distances, two_derivatives};
+}
 
 } // namespace openltc::fit

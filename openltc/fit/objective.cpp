@@ -50,17 +50,20 @@ Result<Objective> find_objective(std::string_view name) {
                            name)};
 }
 
-ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objective& o,
-                                  bool with_derivatives) {
-  ObjectiveValue result;
+namespace {
+
+// What the sums need of one lobe; false where its determinant is not positive.
+struct LobeConstants {
+  double m[4];
+  double det;
+  double log_slope[4];
+};
+bool lobe_constants(const Quadrature& q, Vec4d abcd, const Objective& o, LobeConstants& result) {
   const double width = q.width;
   const double det = width * (abcd.x * abcd.w - width * abcd.y * abcd.z);
   // The cosine's hemisphere must not be turned inside out. A and D by themselves may reach 0: at
   // grazing angles -B C carries the determinant.
-  if (!(det > 0)) {
-    result.value = std::numeric_limits<double>::infinity();
-    return result;
-  }
+  if (!(det > 0)) return false;
 
   // Half the angle g between the cosine's axis and the surface's normal in cosine space, and its
   // slopes by m[k] = A, wB, wC, wD: m00 = m0 cos - m1 sin, m20 = m2 cos - m3 sin.
@@ -76,46 +79,116 @@ ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objecti
   const double above = std::max(cosine * cosine, f64::k_min_share);
   const bool clipped = o.horizon == Horizon::clipped;
   const bool sloped = clipped && cosine * cosine > f64::k_min_share;
+  const double scale = clipped ? 1 / above : 1.0;
+  const double minor[4] = {m[3], -m[2], -m[1], m[0]};
+  for (int k = 0; k < 4; ++k) {
+    result.m[k] = m[k];
+    // d log(1/cos^2) = 2 tan
+    result.log_slope[k] = minor[k] / det + (sloped ? 2 * sine / cosine * slope[k] : 0.0);
+  }
+  result.det = det * scale * f64::k_inv_pi;
+  return true;
+}
 
-  LobeSumsInput in;
+void set_points(const Quadrature& q, const Objective& o, LobeSumsInput& in) {
   in.x = q.x_mirror.data();
   in.y = q.y.data();
   in.z = q.z_mirror.data();
   in.weight = q.weight.data();
   in.density = q.density.data();
   in.count = q.size();
-  const double scale = clipped ? 1 / above : 1.0;
-  const double minor[4] = {m[3], -m[2], -m[1], m[0]};
-  for (int k = 0; k < 4; ++k) {
-    in.m[k] = m[k];
-    // d log(1/cos^2) = 2 tan
-    in.log_slope[k] = minor[k] / det + (sloped ? 2 * sine / cosine * slope[k] : 0.0);
-  }
-  in.det = det * scale * f64::k_inv_pi;
   in.rounding = o.rounding;
   in.floor = o.rounding * 1e-3 * q.norm2;
-  const LobeSums sums = lobe_sums();
-  LobeDistances distances;
-  sums.distances(in, distances);
+}
+
+// F of the sums, and the weights with which their derivatives make those of F.
+double combine(const Quadrature& q, const Objective& o, const LobeDistances& distances,
+               LobeSumsInput& in) {
   // A root has no slope at 0, where the fit is perfect.
   const double l2 = std::max(std::sqrt(distances.squares / q.norm2), 1e-6);
   const double l3 = std::max(std::cbrt(distances.cubes / q.norm3), 1e-6);
-  result.value = o.tv * distances.missing + o.l2 * l2 + o.l3 * l3;
-  if (!with_derivatives) return result;
-
   // d sqrt(S) = dS / (2 sqrt(S)), d cbrt(S) = dS / (3 cbrt(S)^2)
   in.tv = o.tv;
   in.squares = o.l2 / (2 * l2 * q.norm2);
   in.cubes = o.l3 / (3 * l3 * l3 * q.norm3);
+  return o.tv * distances.missing + o.l2 * l2 + o.l3 * l3;
+}
+
+} // namespace
+
+ObjectiveValue evaluate_objective(const Quadrature& q, Vec4d abcd, const Objective& o,
+                                  bool with_derivatives) {
+  ObjectiveValue result;
+  LobeConstants constants;
+  if (!lobe_constants(q, abcd, o, constants)) {
+    result.value = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  LobeSumsInput in;
+  set_points(q, o, in);
+  for (int k = 0; k < 4; ++k) {
+    in.m[k] = constants.m[k];
+    in.log_slope[k] = constants.log_slope[k];
+  }
+  in.det = constants.det;
+  const LobeSums sums = lobe_sums();
+  LobeDistances distances;
+  sums.distances(in, distances);
+  result.value = combine(q, o, distances, in);
+  if (!with_derivatives) return result;
+
   LobeDerivatives derivatives;
   sums.derivatives(in, derivatives);
 
   // From m[k] to A B C D.
+  const double width = q.width;
   const double factor[4] = {1, width, width, width};
   int at = 0;
   for (int i = 0; i < 4; ++i) {
     result.gradient[i] = factor[i] * derivatives.gradient[i];
     for (int j = i; j < 4; ++j, ++at)
+      result.hessian[at] = factor[i] * factor[j] * derivatives.hessian[at];
+  }
+  return result;
+}
+
+TwoLobeObjectiveValue evaluate_objective(const Quadrature& q, const TwoLobes& lobes,
+                                         const Objective& o, bool with_derivatives) {
+  TwoLobeObjectiveValue result;
+  const double weight = lobes[8];
+  TwoLobeSumsInput in;
+  bool proper = weight >= 0 && weight <= 1;
+  for (std::size_t part = 0; part < 2 && proper; ++part) {
+    const double* abcd = lobes.data() + 4 * part;
+    LobeConstants constants;
+    proper = lobe_constants(q, Vec4d(abcd[0], abcd[1], abcd[2], abcd[3]), o, constants);
+    if (!proper) break;
+    for (int k = 0; k < 4; ++k) {
+      in.parts[part].m[k] = constants.m[k];
+      in.parts[part].log_slope[k] = constants.log_slope[k];
+    }
+    in.parts[part].det = constants.det;
+    in.parts[part].weight = part == 0 ? 1 - weight : weight;
+  }
+  if (!proper) {
+    result.value = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  set_points(q, o, in.points);
+  const LobeSums sums = lobe_sums();
+  LobeDistances distances;
+  sums.two_distances(in, distances);
+  result.value = combine(q, o, distances, in.points);
+  if (!with_derivatives) return result;
+
+  TwoLobeDerivatives derivatives;
+  sums.two_derivatives(in, derivatives);
+  const double w = q.width;
+  const double factor[k_two_lobe_unknowns] = {1, w, w, w, 1, w, w, w, 1};
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < k_two_lobe_unknowns; ++i) {
+    result.gradient[i] = factor[i] * derivatives.gradient[i];
+    for (std::size_t j = i; j < k_two_lobe_unknowns; ++j, ++at)
       result.hessian[at] = factor[i] * factor[j] * derivatives.hessian[at];
   }
   return result;

@@ -10,6 +10,7 @@
 #include "openltc/fit/quadrature.h"
 #include "openltc/target/vec.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -52,5 +53,22 @@ struct ObjectiveValue {
 /// The same bits on every instruction set.
 ObjectiveValue evaluate_objective(const Quadrature& quadrature, Vec4d mirror,
                                   const Objective& objective, bool with_derivatives = true);
+
+/// The unknowns of two lobes together: A B C D of the first, those of the second, and the weight of
+/// the second, that of the first being the rest.
+using TwoLobes = std::array<double, 9>;
+
+/// As ObjectiveValue, of the density (1 - w) D1 + w D2, each lobe divided by its own share above
+/// the horizon when clipped.
+struct TwoLobeObjectiveValue {
+  double value = 0;
+  TwoLobes gradient{};
+  std::array<double, 45> hessian{}; ///< upper triangle by rows
+};
+
+/// Evaluates F of two lobes, and its derivatives when asked for; infinite where a determinant is
+/// not positive or the weight not within 0..1. The same bits on every instruction set.
+TwoLobeObjectiveValue evaluate_objective(const Quadrature& quadrature, const TwoLobes& lobes,
+                                         const Objective& objective, bool with_derivatives = true);
 
 } // namespace openltc::fit

@@ -16,6 +16,7 @@
 #include "openltc/base/parallel.h"
 #include "openltc/fit/joint_fit.h"
 #include "openltc/fit/lobe_start.h"
+#include "openltc/fit/table_samples.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>
@@ -31,11 +32,6 @@ namespace openltc::fit {
 namespace {
 
 using table::LobeTable;
-
-float round_to_six_digits(double x) {
-  // Through text: the float is the one nearest to the decimal number, in every library alike.
-  return std::strtof(fmt::format("{:.5e}", x).c_str(), nullptr);
-}
 
 struct Node {
   Vec4d mirror{1, 0, 0, 1};
@@ -107,66 +103,9 @@ Status fit_single_column(Grid& grid) {
   return Success{};
 }
 
-// The first failure of many.
-Status first_failure(const std::vector<std::string>& failures) {
-  for (const std::string& failure : failures)
-    if (!failure.empty()) return Error{failure};
-  return Success{};
-}
-
-// Cosine that stands in for 0 on the rim, and what its samples count.
-constexpr double k_rim_cosine = 1e-4;
-constexpr double k_rim_weight = 1e-3;
-// What a refined node's A D - w B C is kept above.
-constexpr double k_least_determinant = 1e-5;
-
-// Samples between the nodes, at the centres of an even subdivision of every cell, with the share
-// each corner of the cell has in them.
-Result<std::vector<JointSample>> make_samples(const Grid& grid) {
-  const int per_cell = std::max(2, 40 / grid.rows);
-  const int across = grid.columns > 1 ? (grid.columns - 1) * per_cell : 1;
-  const int along = (grid.rows - 1) * per_cell;
-  std::vector<HalfVectors> half_vectors;
-  for (int i = 0; i < across; ++i) {
-    const double column = (i + 0.5) / per_cell;
-    half_vectors.push_back(grid.columns > 1 ? find_half_vectors(grid.brdf, grid.roughness(column))
-                                            : grid.half_vectors[0]);
-  }
-  // Beyond the last sample the grazing row would be free: its own nodes are samples too, which
-  // count little as places to fit and fully where the determinant must stay positive.
-  const std::size_t between = std::size_t(across) * std::size_t(along);
-  std::vector<JointSample> samples(between + std::size_t(grid.columns));
-  std::vector<std::string> failures(samples.size());
-  parallel_for(std::int64_t(samples.size()), 0, [&](std::int64_t index) {
-    const std::size_t k = std::size_t(index);
-    const bool rim = k >= between;
-    const int i = rim ? int(k - between) : int(k) % across;
-    const double x = rim ? i : grid.columns > 1 ? (i + 0.5) / per_cell : 0;
-    const double y = rim ? grid.rows - 1 : (int(k) / across + 0.5) / per_cell;
-    JointSample& sample = samples[k];
-    Result<Quadrature> rule = make_quadrature(
-        grid.brdf, grid.roughness(x),
-        rim ? k_rim_cosine : cosine_at(y / (grid.rows - 1), grid.options.angle_axis),
-        rim ? grid.half_vectors[std::size_t(i)] : half_vectors[std::size_t(i)], grid.quadrature);
-    if (!rule) {
-      failures[k] = rule.error().message;
-      return;
-    }
-    sample.rule = std::move(*rule);
-    sample.weight = rim ? k_rim_weight : 1.0;
-    const int x0 = int(x), y0 = int(y);
-    for (int corner = 0; corner < 4; ++corner) {
-      const int right = corner % 2, down = corner / 2;
-      const double share = (right ? x - x0 : 1 - (x - x0)) * (down ? y - y0 : 1 - (y - y0));
-      if (share > 0) sample.terms.push_back({(y0 + down) * grid.columns + x0 + right, share});
-    }
-  });
-  if (Status status = first_failure(failures); !status) return status.error();
-  return samples;
-}
-
 Status refine(Grid& grid, Progress progress) {
-  Result<std::vector<JointSample>> samples = make_samples(grid);
+  Result<std::vector<JointSample>> samples = make_table_samples(
+      grid.brdf, {grid.columns, grid.rows}, grid.options.angle_axis, grid.quadrature);
   if (!samples) return samples.error();
   std::vector<Vec4d> mirror;
   std::vector<double> n1, n5, wanted1, wanted5;

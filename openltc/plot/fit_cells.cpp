@@ -29,7 +29,7 @@ Result<std::vector<FitCell>> make_fit_cells(const brdf::Brdf& brdf, const fit::M
       if (!rule) return rule.error();
       cell.window = fit::window_of_lobe(*rule);
       cell.brdf = fit::sample_disc(fit::density_of(brdf, *rule), cell.window, side);
-      const f64::Lobe lobe = lobes.lobes(cell.roughness, cos_theta).lobe;
+      const fit::MeasuredLobe lobe = lobes.lobes(cell.roughness, cos_theta);
       cell.lobe = fit::sample_disc(fit::density_of(lobe, lobes.horizon), cell.window, side);
       cell.brightest = *std::max_element(cell.brdf.begin(), cell.brdf.end());
       if (!(cell.brightest > 0)) cell.brightest = 1; // nothing of it falls on a pixel

@@ -93,9 +93,11 @@ PointLuminance shade_floor(const PointSetup& setup, double roughness,
   const Vec3d normal(0, 1, 0), point(floor.x, 0, floor.y);
   const Vec3d wo = normalize(at.camera - point), to_light = at.light - point;
   const double f0 = setup.f0 * (1 - setup.metallic) + setup.base_color * setup.metallic;
-  const f64::Surface surface = f64::make_surface(lobes(roughness, dot(normal, wo)), point, normal,
-                                                 wo, Vec3d(setup.base_color * (1 - setup.metallic)),
-                                                 Vec3d(f0), Vec3d(1.0), roughness);
+  const fit::MeasuredLobe fitted = lobes(roughness, dot(normal, wo));
+  f64::Surface surface =
+      f64::make_surface(fitted, point, normal, wo, Vec3d(setup.base_color * (1 - setup.metallic)),
+                        Vec3d(f0), Vec3d(1.0), roughness);
+  if (fitted.two()) surface = f64::add_second_lobe(surface, fitted.second);
   const Vec3d wi = f64::to_shading(surface.frame, normalize(to_light));
   const double illuminance = setup.intensity_cd / dot(to_light, to_light);
   return {f64::eval_surface(surface, wi).x * illuminance,

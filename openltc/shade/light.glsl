@@ -24,6 +24,8 @@ struct LightIntegral {
   Vec3 diffuse_direction;  ///< shading space, unit
   Vec3 specular_direction; ///< shading space, unit
   Real second;             ///< integral of a second lobe's density, see with_second_lobe; else 0
+  Vec3 first_direction;    ///< with a second lobe, specular_direction of the first alone
+  Vec3 second_direction;   ///< and of the second
   Real concentration; ///< cosine space, 0..1: 1 for a light so small that it lies in one direction
 };
 

@@ -120,6 +120,8 @@ FN LightIntegral with_second_lobe(Surface s, LightIntegral first, LightIntegral 
   Real inv = reciprocal(max(a + b, Real(k_tiny)));
   LightIntegral both = first;
   both.second = second.specular;
+  both.first_direction = first.specular_direction;
+  both.second_direction = second.specular_direction;
   both.specular_direction =
       safe_direction(first.specular_direction * (a * inv) + second.specular_direction * (b * inv));
   both.concentration = (first.concentration * a + second.concentration * b) * inv;

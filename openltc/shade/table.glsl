@@ -11,6 +11,9 @@
 //   LobeTexel lobe_table_texel(LobeTable, Vec2 at)
 //     .coefficients, Vec4  the mirror-frame coefficients A B C D
 //     .amplitudes, Vec2    n1 = integral of D V cos, n5 = integral of D V cos (1 - wo.h)^5
+//     .second_weight       share of n1 that the second lobe has, 0 in a table of one lobe
+//   bool lobe_table_has_second(LobeTable)
+//   Vec4 lobe_table_second(LobeTable, Vec2 at)  A B C D of the second lobe, where there is one
 
 /// The lobe of a roughness and a view angle, and its amplitudes.
 struct FittedLobe {
@@ -54,6 +57,22 @@ FN FittedLobe fetch_lobe(LobeTable table, Real alpha, Real cos_theta) {
 FN FittedLobe fetch_lobe_of_roughness(LobeTable table, Real roughness, Real cos_theta) {
   return fetch_lobe_of_width(table, max(roughness, Real(k_min_roughness)),
                              alpha_from_roughness(roughness), cos_theta);
+}
+
+/// The second lobe of a table that has one (lobe_table_has_second), at the same place.
+FN SecondLobe fetch_second_lobe_of_width(LobeTable table, Real x, Real width, Real cos_theta) {
+  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
+  Vec2 at = Vec2(x, sqrt(Real(1.0) - c));
+  SecondLobe second;
+  second.lobe = lobe_from_mirror(lobe_table_second(table, at), width, c);
+  second.weight = lobe_table_texel(table, at).second_weight;
+  return second;
+}
+
+/// The same of a microfacet BRDF's table, for alpha_from_roughness(roughness).
+FN SecondLobe fetch_second_lobe_of_roughness(LobeTable table, Real roughness, Real cos_theta) {
+  return fetch_second_lobe_of_width(table, max(roughness, Real(k_min_roughness)),
+                                    alpha_from_roughness(roughness), cos_theta);
 }
 
 /// Amplitude of the specular lobe: F0 n1 + (F90 - F0) n5, the albedo of the whole lobe.

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// The table and the polynomial that the product ships, from the constants that its public headers
+// The tables and the polynomial that the product ships, from the constants that its public headers
 // hold.
 
 #include "openltc/api/ggx_polynomial.inc"
 #include "openltc/api/ggx_table.inc"
+#include "openltc/api/ggx_two_lobes.inc"
 #include "openltc/table/lobe_polynomial.h"
 #include "openltc/table/lobe_table.h"
 
@@ -29,6 +30,16 @@ LobeTable make_table() {
   return table;
 }
 
+LobeTable make_two_lobe_table() {
+  LobeTable table;
+  table.columns = k_ggx_two_lobes_columns;
+  table.rows = k_ggx_two_lobes_rows;
+  table.texels.assign(std::begin(k_ggx_two_lobes), std::end(k_ggx_two_lobes));
+  table.second.assign(std::begin(k_ggx_two_lobes_second), std::end(k_ggx_two_lobes_second));
+  table.metadata = metadata_of(k_ggx_two_lobes_metadata);
+  return table;
+}
+
 LobePolynomial make_polynomial() {
   LobePolynomial polynomial;
   polynomial.degree = k_ggx_polynomial_degree;
@@ -41,6 +52,11 @@ LobePolynomial make_polynomial() {
 
 const LobeTable& builtin_ggx_table() {
   static const LobeTable table = make_table();
+  return table;
+}
+
+const LobeTable& builtin_ggx_two_lobe_table() {
+  static const LobeTable table = make_two_lobe_table();
   return table;
 }
 

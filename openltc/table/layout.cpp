@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::array k_layouts = {Layout::native, Layout::ltc_code, Layout::unity, Layout::godot,
                                   Layout::o3de};
-constexpr std::array k_names = {"native", "ltc_code", "unity", "godot", "o3de"};
+constexpr std::array k_names = {"native", "ltc_code", "unity", "godot", "o3de", "native_two"};
+constexpr Layout k_native_two = Layout::native_two;
 
 } // namespace
 
@@ -48,12 +49,12 @@ const char* name_of(AngleAxis axis) {
 const Layout* find_layout(std::string_view name) {
   for (const Layout& layout : k_layouts)
     if (name == name_of(layout)) return &layout;
-  return nullptr;
+  return name == name_of(k_native_two) ? &k_native_two : nullptr;
 }
 
 const LayoutFacts& facts_of(Layout layout) {
   constexpr AngleAxis root = AngleAxis::sqrt_one_minus_cos;
-  static const std::array<LayoutFacts, k_layouts.size()> facts = {
+  static const std::array<LayoutFacts, k_names.size()> facts = {
       LayoutFacts{root,
                   true,
                   0,
@@ -81,6 +82,14 @@ const LayoutFacts& facts_of(Layout layout) {
                   "O3DE",
                   "M^-1 divided by M00",
                   {{"M22", "M20", "M11", "M02"}, {"n1", "n5"}}},
+      LayoutFacts{root,
+                  true,
+                  0,
+                  "OpenLTC",
+                  "mirror frame: M^-1 = [A 0 wB; 0 1 0; wC 0 wD] on (x', y, z'), x' = (cos, 0, "
+                  "sin), z' = (-sin, 0, cos); w = alpha, or 1 where width is one; the second "
+                  "lobe has the share weight of n1, the first the rest",
+                  {{"A", "B", "C", "D"}, {"n1", "n5", "weight", "0"}, {"A2", "B2", "C2", "D2"}}},
   };
   return facts[std::size_t(layout)];
 }
@@ -89,7 +98,7 @@ AngleAxis angle_axis_of(Layout layout) { return facts_of(layout).angle_axis; }
 
 double row_cosine(Layout layout, AngleAxis axis, int rows, int row) {
   if (row + 1 < rows) return cosine_of_coordinate(layout, axis, double(row) / (rows - 1));
-  if (layout == Layout::native) return 0;
+  if (is_native(layout)) return 0;
   return 0.03 * cosine_of_coordinate(layout, axis, double(rows - 2) / (rows - 1));
 }
 
@@ -106,6 +115,7 @@ f64::FittedLobe lobe_of_texel(Layout layout, std::span<const double> first,
   const double x = first[0], y = first[1], z = first[2], w = first[3];
   switch (layout) {
   case Layout::native:
+  case Layout::native_two:
     fitted.lobe = f64::lobe_from_mirror({x, y, z, w}, width, cos_theta);
     break;
   case Layout::ltc_code:

@@ -39,9 +39,12 @@ enum class Layout {
   /// O3DE (Ltc.azsli): x y z w of [1 0 w; 0 z 0; y 0 x], that is M22 M20 M11 M02 with M00 = 1 |
   /// n1 n5 (two channels); y = theta / (pi/2).
   o3de,
+  /// This project's with a second lobe: A B C D | n1 n5 w 0 | A B C D of the second, which has the
+  /// share w of n1; y = sqrt(1 - cos theta). No engine reads it.
+  native_two,
 };
 
-/// All layouts, and their names in files and on the command line.
+/// All layouts of one lobe, and the names of all in files and on the command line.
 std::span<const Layout> all_layouts();
 const char* name_of(Layout layout);
 const char* name_of(Precision precision);         ///< "float32", "float16"
@@ -60,7 +63,12 @@ struct LayoutFacts {
 const LayoutFacts& facts_of(Layout layout);
 AngleAxis angle_axis_of(Layout layout);
 
-/// A table as an engine reads it: one texture or two of the same size.
+/// Whether it is this project's own packing, of one lobe or two.
+inline bool is_native(Layout layout) {
+  return layout == Layout::native || layout == Layout::native_two;
+}
+
+/// A table as an engine reads it: one to three textures of the same size.
 struct PackedTable {
   Layout layout = Layout::native;
   Precision precision = Precision::float32;
@@ -91,7 +99,7 @@ double row_cosine(Layout layout, AngleAxis axis, int rows, int row);
 /// Packs a table. Where its angle axis is not the layout's (or Godot's polynomial) it is resampled,
 /// otherwise the nodes are exact. In half precision every value is rounded to the nearest half;
 /// where that would make a determinant negative, one element goes up to the next halves. Fails when
-/// a value does not fit, naming the texel.
+/// a value does not fit, naming the texel, and when table and layout have not as many lobes.
 Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precision);
 
 /// The inverse of pack, on the layout's own angle axis: exact at the nodes up to rounding, but for
@@ -103,6 +111,9 @@ Result<LobeTable> unpack(const PackedTable& packed);
 /// What an engine of that layout reads: its own axes, its own stored values, rounded as they are
 /// stored, bilinear. roughness and cos_theta 0..1.
 f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double cos_theta);
+
+/// The second lobe that is read there; of no weight but in native_two.
+f64::SecondLobe fetch_packed_second(const PackedTable& packed, double roughness, double cos_theta);
 
 /// The lobe and amplitudes in the channels of a texel, `second` being empty for a layout of one
 /// texture. `width` and `cos_theta` matter to the native layout only.
@@ -122,6 +133,9 @@ Status check_textures(const std::string& name, Layout layout, std::span<const Te
 /// Reads a table through bilinear interpolation on its own angle axis, as fetch_lobe does on the
 /// native one.
 f64::FittedLobe fetch_native(const LobeTable& table, double roughness, double cos_theta);
+
+/// The second lobe there; of no weight where the table has one only.
+f64::SecondLobe fetch_native_second(const LobeTable& table, double roughness, double cos_theta);
 
 /// The table with other nodes, read from its own interpolation. A side of 1 holds one value for all
 /// roughnesses; columns 1..512, rows 2..512.

@@ -24,6 +24,11 @@ Status check_determinants(const LobeTable& table, const std::string& name) {
       if (!(double(texel[0]) * double(texel[3]) > width * double(texel[1]) * double(texel[2])))
         return Error{fmt::format("{}: the lobe of node ({}, {}) has no positive determinant", name,
                                  column, row)};
+      if (!table.two_lobes()) continue;
+      const float* second = table.second_texel(column, row);
+      if (!(double(second[0]) * double(second[3]) > width * double(second[1]) * double(second[2])))
+        return Error{fmt::format("{}: the second lobe of node ({}, {}) has no positive determinant",
+                                 name, column, row)};
     }
   return Success{};
 }

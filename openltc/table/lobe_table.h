@@ -58,27 +58,39 @@ enum class AngleAxis {
 /// Axes: x = sqrt(alpha) = perceptual roughness, fast, column i at i/(columns-1); y by angle_axis,
 /// slow, row j at j/(rows-1); node (0, 0) is a mirror at normal incidence. A BRDF without
 /// roughness has one column.
-/// Each texel holds 8 floats: A B C D n1 n5 0 0. A B C D is M^-1 in the mirror frame with the
+/// Each texel holds 8 floats: A B C D n1 n5 w 0. A B C D is M^-1 in the mirror frame with the
 /// lobe's width factored out (shade/lobe.glsl, lobe_from_mirror), middle element 1; the width is
 /// alpha or 1, by `width`. n1 is the directional albedo for F = 1, n5 its Schlick-weighted part
-/// (shade/table.glsl). Storage: 32-bit float.
+/// (shade/table.glsl). A table of two lobes has a second one at each node, packed as the first, and
+/// its share w of n1, 0..1; without it w is 0. Storage: 32-bit float.
 struct LobeTable {
   static constexpr int k_channels = 8;
+  static constexpr int k_second_channels = 4;
 
   int columns = 0;
   int rows = 0;
   AngleAxis angle_axis = AngleAxis::sqrt_one_minus_cos;
   brdf::LobeWidth width = brdf::LobeWidth::alpha;
   std::vector<float> texels; ///< columns * rows * k_channels
+  std::vector<float> second; ///< columns * rows * k_second_channels, A B C D; empty: one lobe
   TableMetadata metadata;
 
-  LobeTableView view() const { return {texels.data(), columns, rows}; }
+  bool two_lobes() const { return !second.empty(); }
+  LobeTableView view() const {
+    return {texels.data(), columns, rows, second.empty() ? nullptr : second.data()};
+  }
   float* texel(int x, int y) { return texels.data() + (y * columns + x) * k_channels; }
   const float* texel(int x, int y) const { return texels.data() + (y * columns + x) * k_channels; }
+  const float* second_texel(int x, int y) const {
+    return second.data() + (y * columns + x) * k_second_channels;
+  }
 };
 
 /// The table that the product ships: GGX, height-correlated Smith, 64 x 64, fitted by
 /// `openltc fit` with the command its metadata names.
 const LobeTable& builtin_ggx_table();
+
+/// The table of two lobes that the product ships: the same BRDF, 16 x 16.
+const LobeTable& builtin_ggx_two_lobe_table();
 
 } // namespace openltc::table

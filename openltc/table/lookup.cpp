@@ -77,6 +77,18 @@ f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double
   return lobe_of_texel(packed.layout, first, second, factored_width(packed.width, r), c);
 }
 
+f64::SecondLobe fetch_packed_second(const PackedTable& packed, double roughness, double cos_theta) {
+  f64::SecondLobe second{f64::cosine_lobe(), 0};
+  if (packed.layout != Layout::native_two) return second;
+  const double r = std::clamp(roughness, 0.0, 1.0), c = std::clamp(cos_theta, 0.0, 1.0);
+  const double u = f64::table_coordinate(r, packed.columns());
+  const double v = f64::table_coordinate(angle_coordinate(packed.angle_axis, c), packed.rows());
+  const std::array<double, 4> m = sample_texture(packed.textures[2], u, v);
+  second.lobe = f64::lobe_from_mirror({m[0], m[1], m[2], m[3]}, factored_width(packed.width, r), c);
+  second.weight = sample_texture(packed.textures[1], u, v)[2];
+  return second;
+}
+
 f64::FittedLobe fetch_native(const LobeTable& table, double roughness, double cos_theta) {
   const double r = std::clamp(roughness, 0.0, 1.0), c = std::clamp(cos_theta, 0.0, 1.0);
   const f64::LobeTexel texel =
@@ -88,18 +100,34 @@ f64::FittedLobe fetch_native(const LobeTable& table, double roughness, double co
   return fitted;
 }
 
+f64::SecondLobe fetch_native_second(const LobeTable& table, double roughness, double cos_theta) {
+  const double r = std::clamp(roughness, 0.0, 1.0), c = std::clamp(cos_theta, 0.0, 1.0);
+  f64::SecondLobe second{f64::cosine_lobe(), 0};
+  if (!table.two_lobes()) return second;
+  const Vec2d at{r, angle_coordinate(table.angle_axis, c)};
+  second.lobe = f64::lobe_from_mirror(f64::lobe_table_second(table.view(), at),
+                                      factored_width(table.width, r), c);
+  second.weight = f64::lobe_table_texel(table.view(), at).second_weight;
+  return second;
+}
+
 LobeTable interpolate(const LobeTable& table, int columns, std::span<const double> from) {
   LobeTable result = table;
   result.columns = columns;
   result.rows = int(from.size());
   result.texels.assign(std::size_t(columns) * from.size() * LobeTable::k_channels, 0.0f);
+  result.second.clear();
   for (int row = 0; row < result.rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const Vec2d at{node_roughness(columns, column), from[std::size_t(row)]};
-      const auto [m, n] = f64::lobe_table_texel(table.view(), at);
-      const double channels[6] = {m.x, m.y, m.z, m.w, n.x, n.y};
-      for (int k = 0; k < 6; ++k)
+      const auto [m, n, weight] = f64::lobe_table_texel(table.view(), at);
+      const double channels[7] = {m.x, m.y, m.z, m.w, n.x, n.y, weight};
+      for (int k = 0; k < 7; ++k)
         result.texel(column, row)[k] = float(channels[k]);
+      if (!table.two_lobes()) continue;
+      const Vec4d second = f64::lobe_table_second(table.view(), at);
+      for (const double value : {second.x, second.y, second.z, second.w})
+        result.second.push_back(float(value));
     }
   return result;
 }

@@ -22,6 +22,7 @@ void store_texel(Layout layout, const f64::Lobe& m, Vec4d native, double n1, dou
                  double* first, double* second) {
   switch (layout) {
   case Layout::native:
+  case Layout::native_two: // whose third texture and weight stand in the table
     std::copy_n(std::array{native.x, native.y, native.z, native.w}.data(), 4, first);
     std::copy_n(std::array{n1, n5, 0.0, 0.0}.data(), 4, second);
     return;
@@ -51,7 +52,7 @@ void store_texel(Layout layout, const f64::Lobe& m, Vec4d native, double n1, dou
 
 // The element of the first texture that raises the determinant when it goes up.
 int determinant_channel(Layout layout) {
-  return layout == Layout::native || layout == Layout::ltc_code ? 3 : 0;
+  return is_native(layout) || layout == Layout::ltc_code ? 3 : 0;
 }
 
 // Rounds the textures to half precision and keeps the determinants positive.
@@ -75,23 +76,37 @@ Status round_to_half(PackedTable& packed) {
   return Success{};
 }
 
-double determinant(const PackedTable& packed, int column, int row);
+// The texture that holds a lobe, 0 or 1.
+std::size_t texture_of_lobe(int lobe) { return lobe == 0 ? 0 : 2; }
+
+int lobe_count(Layout layout) { return layout == Layout::native_two ? 2 : 1; }
+
+// Of the first lobe of a node or the second.
+double determinant(const PackedTable& packed, int column, int row, int lobe);
 
 // Moves one element of the texel up, half by half, until the determinant is positive.
-Status repair_determinant(PackedTable& packed, int column, int row) {
-  Texture& first = packed.textures[0];
-  float& value = first.values[std::size_t((row * first.width + column) * first.channels +
-                                          determinant_channel(packed.layout))];
+Status repair_determinant(PackedTable& packed, int column, int row, int lobe) {
+  Texture& texture = packed.textures[texture_of_lobe(lobe)];
+  float& value = texture.values[std::size_t((row * texture.width + column) * texture.channels +
+                                            determinant_channel(packed.layout))];
   for (int step = 0; step < 1024 && value >= 0 && value < k_half_max; ++step) {
-    if (determinant(packed, column, row) > 0) return Success{};
+    if (determinant(packed, column, row, lobe) > 0) return Success{};
     value = float_from_half(std::uint16_t(half_from_float(value) + 1));
   }
   return Error{fmt::format("layout {}: the lobe of node ({}, {}) has no positive determinant in {}",
                            name_of(packed.layout), column, row, name_of(packed.precision))};
 }
 
-double determinant(const PackedTable& packed, int column, int row) {
-  const double det = lobe_of_node(packed, column, row).lobe.det;
+double determinant(const PackedTable& packed, int column, int row, int lobe) {
+  double det = 0;
+  if (lobe == 0) {
+    det = lobe_of_node(packed, column, row).lobe.det;
+  } else {
+    const Texture& texture = packed.textures[texture_of_lobe(lobe)];
+    const float* m = texture.values.data() + (row * texture.width + column) * texture.channels;
+    const double width = node_width(packed.width, packed.columns(), column);
+    det = width * (double(m[0]) * double(m[3]) - width * double(m[1]) * double(m[2]));
+  }
   return std::isfinite(det) ? det : 0;
 }
 
@@ -118,12 +133,16 @@ Result<PackedTable> pack_nodes(const LobeTable& table, Layout layout, Precision 
       const float* t = table.texel(column, row);
       const Vec4d native{double(t[0]), double(t[1]), double(t[2]), double(t[3])};
       const double width = node_width(table.width, table.columns, column);
-      double channels[2][4] = {};
+      double channels[3][4] = {};
       store_texel(layout, f64::lobe_from_mirror(native, width, cos_theta), native, double(t[4]),
                   double(t[5]), channels[0], channels[1]);
       if (layout == Layout::ltc_code)
         channels[1][3] = clipped_sphere_form_factor(2.0 * column / (table.columns - 1) - 1,
                                                     double(row) / (table.rows - 1));
+      if (layout == Layout::native_two) {
+        channels[1][2] = double(t[6]);
+        std::copy_n(table.second_texel(column, row), 4, channels[2]);
+      }
       for (std::size_t k = 0; k < packed.textures.size(); ++k) {
         Texture& texture = packed.textures[k];
         for (int c = 0; c < texture.channels; ++c) {
@@ -143,7 +162,7 @@ Result<PackedTable> pack_nodes(const LobeTable& table, Layout layout, Precision 
 } // namespace
 
 f64::FittedLobe lobe_of_node(const PackedTable& packed, int column, int row) {
-  std::array<double, 4> channels[2] = {};
+  std::array<double, 4> channels[3] = {};
   for (std::size_t t = 0; t < packed.textures.size(); ++t) {
     const Texture& texture = packed.textures[t];
     for (int k = 0; k < texture.channels; ++k)
@@ -156,6 +175,13 @@ f64::FittedLobe lobe_of_node(const PackedTable& packed, int column, int row) {
 }
 
 Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precision) {
+  if (table.two_lobes() && layout != Layout::native_two)
+    return Error{
+        fmt::format("layout {} holds one lobe, this table has two; they are kept in layout "
+                    "{}, which only this project reads",
+                    name_of(layout), name_of(Layout::native_two))};
+  if (!table.two_lobes() && layout == Layout::native_two)
+    return Error{fmt::format("layout {} holds two lobes, this table has one", name_of(layout))};
   const LayoutFacts& facts = facts_of(layout);
   // The clipped sphere needs a second axis even where roughness does not.
   const int columns = layout == Layout::ltc_code && table.columns == 1 ? table.rows : table.columns;
@@ -178,14 +204,17 @@ Result<PackedTable> with_precision(const PackedTable& packed, Precision precisio
   if (precision == Precision::float16)
     if (Status status = round_to_half(result); !status) return status.error();
   for (int row = 0; row < result.rows(); ++row)
-    for (int column = 0; column < result.columns(); ++column) {
-      if (determinant(result, column, row) > 0) continue;
-      const Error error{
-          fmt::format("layout {}: the lobe of node ({}, {}) has no positive determinant",
-                      name_of(result.layout), column, row)};
-      if (!(determinant(packed, column, row) > 0) || precision == Precision::float32) return error;
-      if (Status status = repair_determinant(result, column, row); !status) return status.error();
-    }
+    for (int column = 0; column < result.columns(); ++column)
+      for (int lobe = 0; lobe < lobe_count(result.layout); ++lobe) {
+        if (determinant(result, column, row, lobe) > 0) continue;
+        const Error error{
+            fmt::format("layout {}: the {}lobe of node ({}, {}) has no positive determinant",
+                        name_of(result.layout), lobe == 0 ? "" : "second ", column, row)};
+        if (!(determinant(packed, column, row, lobe) > 0) || precision == Precision::float32)
+          return error;
+        if (Status status = repair_determinant(result, column, row, lobe); !status)
+          return status.error();
+      }
   return result;
 }
 
@@ -211,7 +240,7 @@ Result<LobeTable> unpack(const PackedTable& packed) {
             "layout {}: the lobe of texel ({}, {}) has no positive determinant; is it that layout?",
             name_of(packed.layout), column, row)};
       float* texel = table.texel(column, row);
-      if (packed.layout == Layout::native) {
+      if (is_native(packed.layout)) {
         std::copy_n(packed.textures[0].values.data() + (row * table.columns + column) * 4, 4,
                     texel);
       } else {
@@ -225,6 +254,20 @@ Result<LobeTable> unpack(const PackedTable& packed) {
       const double above = divided ? share_above(fitted.lobe) : 1;
       texel[4] = float(fitted.n1 * above);
       texel[5] = float(fitted.n5 * above);
+      if (packed.layout == Layout::native_two) {
+        const std::size_t at = std::size_t(row * table.columns + column) * 4;
+        texel[6] = packed.textures[1].values[at + 2];
+        if (!(texel[6] >= 0 && texel[6] <= 1))
+          return Error{
+              fmt::format("layout {}: the weight of texel ({}, {}) is {:g}, not within 0 to 1",
+                          name_of(packed.layout), column, row, texel[6])};
+        if (!(determinant(packed, column, row, 1) > 0))
+          return Error{fmt::format(
+              "layout {}: the second lobe of texel ({}, {}) has no positive determinant",
+              name_of(packed.layout), column, row)};
+        const float* second = packed.textures[2].values.data() + at;
+        table.second.insert(table.second.end(), second, second + 4);
+      }
       for (int k = 0; k < 6; ++k)
         if (!std::isfinite(texel[k]))
           return Error{fmt::format("layout {}: the lobe of texel ({}, {}) is not finite",

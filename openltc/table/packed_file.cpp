@@ -121,7 +121,7 @@ Result<std::string> source_text(const PackedTable& packed, Container container,
   default:
     break;
   }
-  if (packed.layout != Layout::native || packed.precision != Precision::float32)
+  if (!is_native(packed.layout) || packed.precision != Precision::float32)
     return packed_to_json(packed);
   const Result<LobeTable> table = unpack(packed);
   if (!table) return table.error();
@@ -133,12 +133,12 @@ constexpr std::uintmax_t k_max_file = std::uintmax_t(64) << 20;
 
 Result<Bytes> read_file(const std::string& path) { return read_regular_file(path, k_max_file); }
 
-// The path given to write_packed: "DIR/ggx.dds" of "DIR/ggx_1.dds" and "DIR/ggx_2.dds".
+// The path given to write_packed: "DIR/ggx.dds" of "DIR/ggx_1.dds" and so on.
 std::string table_path(const std::string& path) {
   const fs::path p(path);
   const std::string stem = p.stem().string();
-  const bool numbered = stem.size() > 2 && (stem.compare(stem.size() - 2, 2, "_1") == 0 ||
-                                            stem.compare(stem.size() - 2, 2, "_2") == 0);
+  const std::string end = stem.size() > 2 ? stem.substr(stem.size() - 2) : "";
+  const bool numbered = end == "_1" || end == "_2" || end == "_3";
   if (!numbered) return path;
   return (p.parent_path() / (stem.substr(0, stem.size() - 2) + p.extension().string())).string();
 }
@@ -146,10 +146,12 @@ std::string table_path(const std::string& path) {
 std::vector<std::string> texture_files(const std::string& path) {
   const std::string whole = table_path(path);
   const std::string first = with_suffix(whole, "_1"), second = with_suffix(whole, "_2");
+  const std::string third = with_suffix(whole, "_3");
   std::error_code ec;
   if ((path == whole && fs::exists(path, ec)) || !fs::exists(first, ec)) return {path};
   if (!fs::exists(second, ec)) return {first};
-  return {first, second};
+  if (!fs::exists(third, ec)) return {first, second};
+  return {first, second, third};
 }
 
 } // namespace
@@ -170,7 +172,8 @@ std::vector<std::string> packed_files(Layout layout, const std::string& path) {
   if (facts_of(layout).channels.size() == 1)
     files = {path};
   else
-    files = {with_suffix(path, "_1"), with_suffix(path, "_2")};
+    for (std::size_t t = 1; t <= facts_of(layout).channels.size(); ++t)
+      files.push_back(with_suffix(path, fmt::format("_{}", t)));
   if (!container->describes) files.push_back(path + ".json");
   return files;
 }
@@ -215,13 +218,16 @@ Result<TextureFiles> read_textures(const std::string& path) {
         fmt::format("{}: cannot be read as textures; known are .dds .ktx2 .exr .npy", path)};
   TextureFiles files;
   files.paths = texture_files(path);
-  for (const std::string& file : files.paths) {
+  const auto read = [&](const std::string& file) -> Status {
     const Result<Bytes> bytes = read_file(file);
     if (!bytes) return bytes.error();
     Result<Texture> texture = decode(*bytes, container->container, file);
     if (!texture) return texture.error();
     files.textures.push_back(std::move(*texture));
-  }
+    return Success{};
+  };
+  for (std::size_t t = 0; t < std::min(files.paths.size(), std::size_t(2)); ++t)
+    if (Status status = read(files.paths[t]); !status) return status.error();
   files.description = files.textures[0].metadata;
   const std::string beside = table_path(path) + ".json";
   std::error_code ec;
@@ -233,6 +239,12 @@ Result<TextureFiles> read_textures(const std::string& path) {
     if (!description) return description.error();
     files.description = std::move(*description);
   }
+  // A third texture beside a table of two is of another, older table.
+  const std::string* layout = find_value(files.description, "layout");
+  if (!layout || *layout != name_of(Layout::native_two))
+    files.paths.resize(files.textures.size());
+  else if (files.paths.size() > 2)
+    if (Status status = read(files.paths[2]); !status) return status.error();
   return files;
 }
 
@@ -254,7 +266,8 @@ Result<PackedTable> read_packed(const std::string& path, std::optional<Layout> l
     } else {
       const Result<LobeTable> table = from_json(text, path);
       if (!table) return table.error();
-      Result<PackedTable> native = pack(*table, Layout::native, Precision::float32);
+      Result<PackedTable> native = pack(
+          *table, table->two_lobes() ? Layout::native_two : Layout::native, Precision::float32);
       if (!native) return Error{fmt::format("{}: {}", path, native.error().message)};
       packed = std::move(*native);
     }

@@ -5,8 +5,9 @@
 //
 // Container by extension: .dds .ktx2 .exr .npy hold one texture a file, .json .h .glsl .hlsl .wgsl
 // .js all of a table. A table of two textures written as DIR/ggx.dds becomes DIR/ggx_1.dds and
-// DIR/ggx_2.dds, one of a single texture DIR/ggx.dds. What the table says about itself lies inside
-// the file; .dds and .npy have no room for it, so DIR/ggx.dds.json stands beside them.
+// DIR/ggx_2.dds, one of three DIR/ggx_3.dds too, one of a single texture DIR/ggx.dds. What the
+// table says about itself lies inside the file; .dds and .npy have no room for it, so
+// DIR/ggx.dds.json stands beside them.
 
 #pragma once
 
@@ -41,8 +42,8 @@ struct TextureFiles {
   KeyValues description; ///< empty: a bare texture
 };
 
-/// Reads .dds .ktx2 .exr .npy. `path` may name either texture of a table, or what write_packed was
-/// given; the other one is looked for beside it.
+/// Reads .dds .ktx2 .exr .npy. `path` may name any texture of a table, or what write_packed was
+/// given; the others are looked for beside it.
 Result<TextureFiles> read_textures(const std::string& path);
 
 /// Reads a table from .dds .ktx2 .exr .npy or .json. Bare textures need `layout`; where the file

@@ -15,8 +15,8 @@
 
 namespace openltc::table {
 
-/// What lobes are kept in.
-enum class LobeForm { table, polynomial };
+/// What lobes are kept in: a table, polynomials, or a table of two lobes at every node.
+enum class LobeForm { table, polynomial, two_lobe };
 
 /// Whether a file says that it holds a lobe polynomial. It may be broken all the same.
 bool is_polynomial_file(const std::string& path);

@@ -19,10 +19,13 @@ namespace openltc {
 /// View of a lobe table in the native packing.
 struct LobeTableView {
   /// columns * rows texels, row-major, y (view angle) slow and x (roughness) fast, of 8 floats
-  /// each: A B C D n1 n5 0 0. 32-byte texels let a lane build load one with a single instruction.
+  /// each: A B C D n1 n5 w 0. 32-byte texels let a lane build load one with a single instruction.
   const float* texels = nullptr;
   int columns = 0; ///< nodes of roughness
   int rows = 0;    ///< nodes of view angle
+  /// A second lobe at every node, of weight w, 0..1, beside the first, which has the rest of n1: as
+  /// many texels of 4 floats, its A B C D. Null: there is none, and w is 0.
+  const float* second = nullptr;
 };
 
 /// View of the polynomial form of fitted lobes; see shade/polynomial.glsl.

@@ -53,7 +53,7 @@ bool is_solid_sound(const Surface& s, const AreaLight& light, const Input& in) {
 }
 
 bool is_all_sound(const Input& in) {
-  for (const Lobes& lobes : {built_in_table(), built_in_polynomial()}) {
+  for (const Lobes& lobes : {built_in_table(), built_in_polynomial(), built_in_two_lobe_table()}) {
     Surface surfaces[] = {
         make_surface(in.position, in.normal, in.view, in.material, lobes),
         make_surface(in.position, in.normal, in.view, in.material, lobes, in.geometric)};
@@ -150,12 +150,11 @@ TEST_CASE("tables_of_nonsense_give_no_nonsense") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const float value : {nan, 0.0f, -1.0f, 1e30f, std::numeric_limits<float>::infinity()}) {
     const std::vector<float> texels(4 * 4 * 8, value);
-    for (const bool polynomial : {false, true}) {
+    for (const int form : {0, 1, 2}) {
       Lobes lobes;
-      if (polynomial)
-        lobes.polynomial = {texels.data(), 4};
-      else
-        lobes.table = {texels.data(), 4, 4};
+      if (form == 0) lobes.polynomial = {texels.data(), 4};
+      if (form == 1) lobes.table = {texels.data(), 4, 4, nullptr};
+      if (form == 2) lobes.table = {texels.data(), 4, 4, texels.data()};
       const Input in;
       const Surface s = make_surface(in.position, in.normal, in.view, in.material, lobes);
       CAPTURE(value);

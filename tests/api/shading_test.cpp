@@ -176,6 +176,33 @@ TEST_CASE("correct_at_mean_makes_a_small_light_the_exact_brdf") {
   }
 }
 
+TEST_CASE("two_lobes_are_nearer_to_the_integral_of_the_brdf_than_one") {
+  // A metal floor seen from low down; lights before and beside the mirrored view.
+  double error[2] = {}, sum = 0;
+  for (const float roughness : {0.2f, 0.35f, 0.5f})
+    for (const float distance : {-6.0f, -4.0f, -2.0f, 1.0f}) {
+      const Vec3f view(0, 0.2f, 1), center(0.3f, 0.6f, distance);
+      const Vec3f half_u(0.4f, 0, 0), half_v(0, 0.3f, 0);
+      const Polygon light = Polygon::rectangle(center, half_u, half_v, true);
+      const Surface one = metal(roughness, view),
+                    two = metal(roughness, view, built_in_two_lobe_table());
+      double truth = 0;
+      constexpr int n = 120;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+          const float a = float(2 * (i + 0.5) / n - 1), b = float(2 * (j + 0.5) / n - 1);
+          const Vec3f p = center + half_u * a + half_v * b;
+          const double d2 = double(dot(p, p)), cos_light = std::abs(double(p.z)) / std::sqrt(d2);
+          truth += double(eval_surface(one, p).x) * cos_light / d2 * (0.8 * 0.6) / (n * n);
+        }
+      error[0] += std::abs(double(shade(one, light).x) - truth);
+      error[1] += std::abs(double(shade(two, light).x) - truth);
+      sum += truth;
+    }
+  MESSAGE("relative to all light: one lobe ", error[0] / sum, ", two ", error[1] / sum);
+  CHECK(error[1] < 0.7 * error[0]);
+}
+
 TEST_CASE("lights_shine_to_their_own_side_and_two_sided_ones_to_both") {
   // Facing up, away from the floor.
   const Polygon away = Polygon::rectangle({0, 1, 0}, {0, 0, 0.5f}, {0.5f, 0, 0});

@@ -49,6 +49,33 @@ TEST_CASE("own_lobes_are_copied_and_shade_as_the_built_in_ones") {
   CHECK(shade_with(polynomial.get()) != shade_with(table.get()));
 }
 
+TEST_CASE("a_table_of_two_lobes_is_copied_and_shades_as_the_built_in_one") {
+  constexpr std::size_t side = std::size_t(k_ggx_two_lobes_columns);
+  std::vector<float> texels(k_ggx_two_lobes, k_ggx_two_lobes + side * side * 8);
+  std::vector<float> second(k_ggx_two_lobes_second, k_ggx_two_lobes_second + side * side * 4);
+  openltc_lobes* lobes = nullptr;
+  const auto create = [&] {
+    return openltc_lobes_create_two_lobe_table(texels.data(), second.data(), side, side, &lobes);
+  };
+  REQUIRE(create() == OPENLTC_OK);
+  const LobesHandle own(lobes);
+  second[4 * 7] *= -1; // a determinant below 0
+  CHECK(create() == OPENLTC_INVALID_ARGUMENT);
+  CHECK(last_error_says("second lobe of node (7, 0)"));
+  second[4 * 7] = std::numeric_limits<float>::infinity();
+  CHECK(create() == OPENLTC_INVALID_ARGUMENT);
+  CHECK(last_error_says("channel 0 of number 7"));
+  second[4 * 7] = 1;
+  texels[6] = 1.01f;
+  CHECK(create() == OPENLTC_INVALID_ARGUMENT);
+  CHECK(last_error_says("weight of texel 0"));
+  CHECK(openltc_lobes_create_two_lobe_table(texels.data(), nullptr, side, side, &lobes) ==
+        OPENLTC_INVALID_ARGUMENT);
+  const std::vector<float> two = shade_with(own.get());
+  CHECK(two == shade_with(built_in_lobes(OPENLTC_TWO_LOBE_TABLE).get()));
+  CHECK(two != shade_with(built_in_lobes(OPENLTC_TABLE).get()));
+}
+
 TEST_CASE("numbers_that_are_no_lobes_are_refused") {
   openltc_lobes* lobes = nullptr;
   std::vector<float> texels = built_in_texels();

@@ -41,9 +41,11 @@ TEST_CASE("every_light_gives_what_the_cpp_api_does") {
   const std::vector<Vertex> vertices = random_vertices(700); // more than a part
   const openltc_points points = points_of(vertices);
   const AllLights all;
-  for (const int32_t form : {OPENLTC_TABLE, OPENLTC_POLYNOMIAL}) {
+  for (const int32_t form : {OPENLTC_TABLE, OPENLTC_POLYNOMIAL, OPENLTC_TWO_LOBE_TABLE}) {
     const LobesHandle lobes = built_in_lobes(form);
-    const Lobes cpp_lobes = form == OPENLTC_TABLE ? built_in_table() : built_in_polynomial();
+    const Lobes cpp_lobes = form == OPENLTC_TABLE        ? built_in_table()
+                            : form == OPENLTC_POLYNOMIAL ? built_in_polynomial()
+                                                         : built_in_two_lobe_table();
     const std::vector<float> radiance = shade_in_c(lobes.get(), all.c.get(), points);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Vec3f expected = shade_all(surface_of(vertices[i], cpp_lobes), all.cpp);

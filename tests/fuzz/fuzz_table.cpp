@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace {
 
@@ -35,6 +36,7 @@ void use(const PackedTable& packed) {
   const Result<LobeTable> table = unpack(packed);
   if (!table) return;
   fetch_packed(packed, 0.3, 0.7);
+  fetch_packed_second(packed, 0.3, 0.7);
   require(resample(*table, 3, 5, AngleAxis::theta).ok());
   for (const Layout layout : all_layouts())
     (void)pack(*table, layout, Precision::float16);
@@ -42,8 +44,9 @@ void use(const PackedTable& packed) {
 
 void use(const LobeTable& table) {
   const Result<LobeTable> again = from_json(to_json(table), "fuzz");
-  require(again.ok() && again->texels == table.texels);
-  const Result<PackedTable> packed = pack(table, Layout::native, Precision::float32);
+  require(again.ok() && again->texels == table.texels && again->second == table.second);
+  const Layout layout = table.two_lobes() ? Layout::native_two : Layout::native;
+  const Result<PackedTable> packed = pack(table, layout, Precision::float32);
   if (packed) use(*packed);
 }
 
@@ -51,7 +54,9 @@ void use(Texture texture) {
   require(texture.values.size() == texture.count());
   for (const float value : texture.values)
     require(std::isfinite(value));
-  for (const Layout layout : all_layouts()) {
+  std::vector<Layout> layouts(all_layouts().begin(), all_layouts().end());
+  layouts.push_back(Layout::native_two);
+  for (const Layout layout : layouts) {
     PackedTable packed;
     packed.layout = layout;
     packed.angle_axis = angle_axis_of(layout);

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 using namespace openltc;
 using namespace openltc::table;
@@ -40,9 +41,15 @@ int main(int argc, char** argv) {
   const Result<LobeTable> small =
       resample(builtin_ggx_table(), 3, 3, AngleAxis::sqrt_one_minus_cos);
   bool good = small && write_seed(folder, 5, "native.json", bytes_of(to_json(*small)));
-  for (const Layout layout : all_layouts())
+  const Result<LobeTable> two =
+      resample(builtin_ggx_two_lobe_table(), 3, 3, AngleAxis::sqrt_one_minus_cos);
+  good = good && two && write_seed(folder, 5, "native_two.json", bytes_of(to_json(*two)));
+  std::vector<Layout> layouts(all_layouts().begin(), all_layouts().end());
+  layouts.push_back(Layout::native_two);
+  for (const Layout layout : layouts)
     for (const Precision precision : {Precision::float32, Precision::float16}) {
-      const Result<PackedTable> packed = pack(*small, layout, precision);
+      const Result<PackedTable> packed =
+          pack(layout == Layout::native_two ? *two : *small, layout, precision);
       if (!packed) continue; // does not fit into half precision
       const std::string name = std::string(name_of(layout)) + "_" + name_of(precision);
       Texture texture = packed->textures.back();

@@ -75,6 +75,24 @@ TEST_CASE("no pixel of a picture of many lights errs more than was allowed, and 
   }
 }
 
+TEST_CASE("by two lobes, too, no pixel of many lights errs more than was allowed") {
+  const scene::Scene scene = room_of_lamps(80);
+  render::RenderOptions options = small_picture();
+  const auto two_lobes = [&](float error) {
+    options.light_error = error;
+    auto picture =
+        render::render(scene, scene.cameras[0], table::builtin_ggx_two_lobe_table(), options);
+    REQUIRE(picture.ok());
+    return std::move(*picture);
+  };
+  const render::Picture all = two_lobes(0), chosen = two_lobes(0.02f);
+  CHECK(chosen.light_error_nits > 0);
+  const float brightest = *std::max_element(all.radiance.data.begin(), all.radiance.data.end());
+  CHECK(max_difference(all.radiance, chosen.radiance) <=
+        chosen.light_error_nits + 1e-6 * double(brightest));
+  CHECK(chosen.lights_per_point < 0.8 * 80);
+}
+
 TEST_CASE("with shadows the picture of chosen lights stays near that of all") {
   const scene::Scene scene = room_of_lamps(60);
   render::RenderOptions options = small_picture();

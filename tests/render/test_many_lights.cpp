@@ -61,16 +61,21 @@ std::vector<render::SurfacePoint> random_points(Random& random) {
   return points;
 }
 
-f64::Surface surface_f64(const render::SurfacePoint& p) {
+const table::LobeTable& table_of(bool two) {
+  return two ? table::builtin_ggx_two_lobe_table() : table::builtin_ggx_table();
+}
+
+f64::Surface surface_f64(const render::SurfacePoint& p, bool two) {
   const f64::Vec3 normal = normalize(to_double(p.normal)), view = normalize(to_double(p.view));
   const double f90 = double(p.f90);
-  return f64::set_geometric_normal(
-      f64::make_surface(f64::fetch_lobe(table::builtin_ggx_table().view(),
-                                        f64::alpha_from_roughness(double(p.roughness)),
-                                        dot(normal, view)),
-                        to_double(p.position), normal, view, to_double(p.albedo), to_double(p.f0),
-                        {f90, f90, f90}, double(p.roughness)),
-      normalize(to_double(p.geometric)));
+  const LobeTableView table = table_of(two).view();
+  const double roughness = double(p.roughness), cos_theta = dot(normal, view);
+  f64::Surface s = f64::make_surface(f64::fetch_lobe_of_roughness(table, roughness, cos_theta),
+                                     to_double(p.position), normal, view, to_double(p.albedo),
+                                     to_double(p.f0), {f90, f90, f90}, roughness);
+  if (two)
+    s = f64::add_second_lobe(s, f64::fetch_second_lobe_of_roughness(table, roughness, cos_theta));
+  return f64::set_geometric_normal(s, normalize(to_double(p.geometric)));
 }
 
 /// What a point reflects of polygon lights, in double precision.
@@ -165,12 +170,13 @@ render::TreeLight tree_light_of(const light::PolygonLight& light) {
 }
 
 render::BatchBounds measured(const std::vector<render::SurfacePoint>& points,
-                             render::SpecularForm form = render::SpecularForm::lobe) {
+                             render::SpecularForm form = render::SpecularForm::lobe,
+                             bool two = false) {
   render::PointBuffer buffer(64);
   for (const render::SurfacePoint& p : points)
     buffer.add(p, {});
   render::KernelContext context;
-  context.table = table::builtin_ggx_table().view();
+  context.table = table_of(two).view();
   context.specular_form = form;
   context.many_lights = true;
   return buffer.measure(render::best_kernel(), context, buffer.all());
@@ -184,7 +190,8 @@ TEST_CASE(
   int informative = 0, far_forms = 0;
   for (int round = 0; round < 1500; ++round) {
     const std::vector<render::SurfacePoint> points = random_points(random);
-    const render::BatchBounds bounds = measured(points);
+    const bool two = round % 3 == 0; // lobes
+    const render::BatchBounds bounds = measured(points, render::SpecularForm::lobe, two);
     const Vec3f around = random.direction() * std::exp(random(-1, 4));
     const int count = round % 2 ? 1 : 1 + int(random(0, 6));
     std::vector<light::PolygonLight> lights;
@@ -203,9 +210,10 @@ TEST_CASE(
     const render::LightBound bound =
         render::bound_light(render::PreparedBatch(bounds), group.extent, group.far_error);
     if (bound.all < 0.1f) ++informative;
+    if (two) CHECK_FALSE(bound.far_specular);
     if (bound.far_error < bound.all) ++far_forms;
     for (std::size_t p = 0; p < points.size(); p += 4) {
-      const f64::Surface s = surface_f64(points[p]);
+      const f64::Surface s = surface_f64(points[p], two);
       const f64::Vec3 truth = reflected(s, packed, lights);
       CAPTURE(round);
       CHECK(largest(truth) <= double(bound.all) + 1e-7);
@@ -279,8 +287,9 @@ TEST_CASE("no point reflects more of a light of any shape than its bound") {
       target.sample = std::uint32_t(i);
       buffer.add(points[i], target);
     }
+    const bool two = round / 4 % 3 == 0; // lobes
     render::KernelContext context;
-    context.table = table::builtin_ggx_table().view();
+    context.table = table_of(two).view();
     context.area_lights = set.area_lights.data();
     context.area_light_count = 1;
     context.specular_form =
@@ -288,7 +297,7 @@ TEST_CASE("no point reflects more of a light of any shape than its bound") {
     context.many_lights = true;
     std::vector<Vec3f> out(points.size(), Vec3f(0));
     std::vector<float> no_ratio;
-    const render::BatchBounds bounds = measured(points, context.specular_form);
+    const render::BatchBounds bounds = measured(points, context.specular_form, two);
     buffer.shade(render::best_kernel(), context, out, no_ratio, 1);
     const float bound =
         render::bound_light(render::PreparedBatch(bounds), set.tree_lights.front().extent,

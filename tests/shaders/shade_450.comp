@@ -15,10 +15,12 @@ layout(set = 0, binding = 6, std430) readonly buffer Polynomial { vec4 openltc_p
 layout(set = 0, binding = 7) uniform texture2DArray profiles;
 layout(set = 0, binding = 8, std430) readonly buffer Emissions { vec4 openltc_emissions[]; };
 layout(set = 0, binding = 9) uniform texture2DArray emission_stacks;
+layout(set = 0, binding = 10) uniform texture2D table_second;
 const int openltc_polynomial_degree = 4;
 #define openltc_profiles sampler2DArray(profiles, table_sampler)
 #define openltc_table_coefficients sampler2D(table_coefficients, table_sampler)
 #define openltc_table_amplitudes sampler2D(table_amplitudes, table_sampler)
+#define openltc_table_second sampler2D(table_second, table_sampler)
 #define openltc_emission_stacks sampler2DArray(emission_stacks, table_sampler)
 
 #include "openltc/target/glsl.inc"

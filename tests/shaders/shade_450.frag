@@ -16,10 +16,12 @@ layout(set = 0, binding = 4, std140) uniform Polynomial {
 layout(set = 0, binding = 5) uniform texture2DArray profiles;
 layout(set = 0, binding = 6, std140) uniform Emissions { vec4 openltc_emissions[12]; };
 layout(set = 0, binding = 7) uniform texture2DArray emission_stacks;
+layout(set = 0, binding = 8) uniform texture2D table_second;
 #define openltc_polynomial_degree polynomial_header.x
 #define openltc_profiles sampler2DArray(profiles, table_sampler)
 #define openltc_table_coefficients sampler2D(table_coefficients, table_sampler)
 #define openltc_table_amplitudes sampler2D(table_amplitudes, table_sampler)
+#define openltc_table_second sampler2D(table_second, table_sampler)
 #define openltc_emission_stacks sampler2DArray(emission_stacks, table_sampler)
 
 #include "openltc/target/glsl.inc"

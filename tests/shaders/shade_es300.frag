@@ -11,6 +11,7 @@ precision highp sampler2DArray;
 
 uniform sampler2D openltc_table_coefficients;
 uniform sampler2D openltc_table_amplitudes;
+uniform sampler2D openltc_table_second;
 uniform sampler2DArray openltc_profiles;
 layout(std140) uniform Polygons { vec4 openltc_polygons[256]; };
 uniform sampler2DArray openltc_emission_stacks;

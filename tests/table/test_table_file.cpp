@@ -112,7 +112,7 @@ TEST_CASE("wrong contents are refused with the file and the field") {
   CHECK(has(refusal("{}"), "format"));
   CHECK(has(refusal("[1, 2]"), "format"));
   CHECK(has(refusal(replaced(text, "openltc-lobe-table", "something")), "format"));
-  CHECK(has(refusal(replaced(text, "\"version\": 2", "\"version\": 3")), "version"));
+  CHECK(has(refusal(replaced(text, "\"version\": 2", "\"version\": 4")), "version"));
   CHECK(has(refusal(replaced(text, "\"columns\": 3", "\"columns\": 4")), "54 numbers"));
   CHECK(has(refusal(replaced(text, "\"columns\": 3", "\"columns\": -3")), "columns"));
   CHECK(has(refusal(replaced(text, "\"rows\": 3", "\"rows\": 1e9")), "rows"));

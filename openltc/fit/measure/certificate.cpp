@@ -135,7 +135,118 @@ struct Box {
   bool operator<(const Box& other) const { return bound > other.bound; } // least first
 };
 
+// The determinant in a part of a cell: Bernstein's coefficients, degree 4 along x, 2 along y.
+struct CellForm {
+  double c[5][3];
+
+  double least() const {
+    double least = c[0][0];
+    for (const auto& column : c)
+      for (const double value : column)
+        least = std::min(least, value);
+    return least;
+  }
+  double corner() const { return std::min(std::min(c[0][0], c[4][0]), std::min(c[0][2], c[4][2])); }
+};
+
+// Products of Bernstein forms: the coefficients times binomials multiply as those of powers do.
+CellForm cell_form(const float* const corners[4], int columns_apart, const double width[3]) {
+  // Of a bilinear function the values at the corners are its coefficients, degree 1 along both
+  // axes.
+  const auto corner = [&](int channel, int i, int j) {
+    return double(corners[2 * j + (columns_apart ? i : 0)][channel]);
+  };
+  // Degree 2 along both axes of the products, with binomials.
+  double ad[3][3] = {}, bc[3][3] = {};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (int k = 0; k < 2; ++k)
+        for (int l = 0; l < 2; ++l) {
+          ad[i + k][j + l] += corner(0, i, j) * corner(3, k, l);
+          bc[i + k][j + l] += corner(1, i, j) * corner(2, k, l);
+        }
+  constexpr double two[3] = {1, 2, 1}, four[5] = {1, 4, 6, 4, 1};
+  CellForm form = {};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        form.c[i + k][j] += two[k] * (ad[i][j] - width[k] * bc[i][j]) / (four[i + k] * two[j]);
+  return form;
+}
+
+std::pair<CellForm, CellForm> halves(const CellForm& whole, bool along_x) {
+  CellForm low = whole, high = whole;
+  if (along_x) {
+    for (int j = 0; j < 3; ++j)
+      for (int level = 1; level < 5; ++level)
+        for (int i = 4; i >= level; --i)
+          low.c[i][j] = 0.5 * (low.c[i - 1][j] + low.c[i][j]);
+    for (int j = 0; j < 3; ++j)
+      for (int level = 1; level < 5; ++level)
+        for (int i = 0; i <= 4 - level; ++i)
+          high.c[i][j] = 0.5 * (high.c[i][j] + high.c[i + 1][j]);
+  } else {
+    for (int i = 0; i < 5; ++i) {
+      for (int level = 1; level < 3; ++level)
+        for (int j = 2; j >= level; --j)
+          low.c[i][j] = 0.5 * (low.c[i][j - 1] + low.c[i][j]);
+      for (int level = 1; level < 3; ++level)
+        for (int j = 0; j <= 2 - level; ++j)
+          high.c[i][j] = 0.5 * (high.c[i][j] + high.c[i][j + 1]);
+    }
+  }
+  return {low, high};
+}
+
+// A bound that is positive if one can be had by that many halvings.
+double bound_of(const CellForm& form, int halvings) {
+  const double least = form.least();
+  if (least > 0 || halvings == 0 || !(form.corner() > 0)) return least;
+  const auto [low, high] = halves(form, halvings % 2 == 0);
+  return std::min(bound_of(low, halvings - 1), bound_of(high, halvings - 1));
+}
+
 } // namespace
+
+TableCertificate certify_determinants(const table::LobeTable& t, int max_halvings) {
+  TableCertificate result;
+  result.lower_bound = std::numeric_limits<double>::infinity();
+  const bool wide = t.width == brdf::LobeWidth::one;
+  const int cells = std::max(t.columns - 1, 1);
+  for (int lobe = 0; lobe < (t.two_lobes() ? 2 : 1); ++lobe)
+    for (int row = 0; row + 1 < t.rows; ++row)
+      for (int column = 0; column < cells; ++column) {
+        const int next = t.columns > 1 ? column + 1 : column;
+        const float* corners[4];
+        double most[4] = {0, 0, 0, 0};
+        for (int k = 0; k < 4; ++k) {
+          const int x = k % 2 ? next : column, y = row + k / 2;
+          corners[k] = lobe == 0 ? t.texel(x, y) : t.second_texel(x, y);
+          for (int channel = 0; channel < 4; ++channel)
+            most[channel] = std::max(most[channel], std::abs(double(corners[k][channel])));
+        }
+        // w = x^2 along the cell, a quadratic of these coefficients.
+        const double x0 = t.columns > 1 ? double(column) / cells : 1;
+        const double x1 = t.columns > 1 ? double(next) / cells : 1;
+        const double squares[3] = {x0 * x0, x0 * x1, x1 * x1}, ones[3] = {1, 1, 1};
+        const CellForm form = cell_form(corners, next - column, wide ? ones : squares);
+        double bound = bound_of(form, max_halvings);
+        if (column == 0 && t.columns > 1 && !wide) {
+          // Below k_min_roughness alpha stays k_min_alpha.
+          const double least[3] = {f64::k_min_alpha, f64::k_min_alpha, f64::k_min_alpha};
+          bound = std::min(bound, bound_of(cell_form(corners, 1, least), max_halvings));
+        }
+        // The look-up interpolates A B C D in single precision.
+        const double widest = wide ? 1 : std::max(x1 * x1, f64::k_min_alpha);
+        bound -= 8 * double(std::numeric_limits<float>::epsilon()) *
+                 (most[0] * most[3] + widest * most[1] * most[2]);
+        if (bound < result.lower_bound) {
+          result.lower_bound = bound;
+          result.roughness = 0.5 * (x0 + x1);
+        }
+      }
+  return result;
+}
 
 Certificate certify_determinant(const table::LobePolynomial& p, int max_boxes) {
   const bool wide = p.width == brdf::LobeWidth::one;

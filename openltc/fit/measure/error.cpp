@@ -27,10 +27,13 @@ constexpr std::array k_fields = {
 
 } // namespace
 
-bool is_finite(const f64::FittedLobe& f) {
+bool is_finite(const MeasuredLobe& f) {
+  const f64::Lobe& s = f.second.lobe;
   return std::isfinite(f.lobe.m00) && std::isfinite(f.lobe.m02) && std::isfinite(f.lobe.m20) &&
          std::isfinite(f.lobe.m22) && std::isfinite(f.lobe.det) && std::isfinite(f.n1) &&
-         std::isfinite(f.n5);
+         std::isfinite(f.n5) && std::isfinite(f.second.weight) && std::isfinite(s.m00) &&
+         std::isfinite(s.m02) && std::isfinite(s.m20) && std::isfinite(s.m22) &&
+         std::isfinite(s.det);
 }
 
 std::span<const LobeErrorField> lobe_error_fields() { return k_fields; }
@@ -40,38 +43,59 @@ double horizon_scale(const f64::Lobe& lobe, Horizon horizon) {
   return 1 / std::max(f64::share_above_horizon(lobe), f64::k_min_share);
 }
 
+namespace {
+
+// lobe_density without derivatives, to the same bits.
+double lobe_value(Vec4d abcd, double alpha, double x, double y, double z) {
+  const double ox = abcd.x * x + alpha * abcd.y * z;
+  const double oz = alpha * (abcd.z * x + abcd.w * z);
+  if (!(oz > 0)) return 0;
+  const double det = alpha * (abcd.x * abcd.w - alpha * abcd.y * abcd.z);
+  const double inv_length2 = 1 / (ox * ox + y * y + oz * oz);
+  return oz * det * (inv_length2 * inv_length2 * f64::k_inv_pi);
+}
+
 // Total variation as the energy that D lacks, the integral of max(rho/E - D, 0): as much as it has
 // in excess elsewhere, since both integrate to 1, and bounded by rho/E, whose quadrature this is.
 // (A clipped lobe of which less than k_min_share lies above the horizon integrates to less than 1
 // even so; what it lacks is then more than its excess, and counts.)
 // At grazing angles D may be narrow where rho/E is not, and |rho/E - D| would miss some of it.
-LobeError measure_lobe(const Quadrature& q, const f64::Lobe& lobe, Horizon horizon) {
+LobeError measure_density(const Quadrature& q, const MeasuredLobe& fitted, Horizon horizon) {
+  const f64::Lobe &lobe = fitted.lobe, &beside = fitted.second.lobe;
+  const double w = fitted.second.weight;
+  const bool two = fitted.two();
   const Vec4d mirror = f64::mirror_from_lobe(lobe, q.width, q.cos_theta);
-  const double scale = horizon_scale(lobe, horizon);
+  const Vec4d mirror_beside = f64::mirror_from_lobe(beside, q.width, q.cos_theta);
+  const double scale = (1 - w) * horizon_scale(lobe, horizon);
+  const double scale_beside = two ? w * horizon_scale(beside, horizon) : 0;
   LobeError e;
-  if (!(lobe.det > 0)) {
+  if (!(lobe.det > 0) || (two && !(beside.det > 0 && w > 0 && w <= 1))) {
     e.tv = e.l2 = e.l3 = e.peak = 1;
     e.l1 = 2;
     return e;
   }
   double missing = 0, l2 = 0, l3 = 0, norm2 = 0, norm3 = 0, peak = 0, peak_of_brdf = 0;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const double d =
-        scale * lobe_density(mirror, q.width, Vec3d(q.x_mirror[i], q.y[i], q.z_mirror[i])).value;
+    const double x = q.x_mirror[i], y = q.y[i], z = q.z_mirror[i];
+    double d = scale * lobe_value(mirror, q.width, x, y, z);
+    if (two) d += scale_beside * lobe_value(mirror_beside, q.width, x, y, z);
     const double r = std::abs(d - q.density[i]);
-    const double w = q.weight[i];
-    missing += w * std::max(q.density[i] - d, 0.0);
-    l2 += w * r * r;
-    l3 += w * r * r * r;
-    norm2 += w * q.density[i] * q.density[i];
-    norm3 += w * q.density[i] * q.density[i] * q.density[i];
+    const double solid_angle = q.weight[i];
+    missing += solid_angle * std::max(q.density[i] - d, 0.0);
+    l2 += solid_angle * r * r;
+    l3 += solid_angle * r * r * r;
+    norm2 += solid_angle * q.density[i] * q.density[i];
+    norm3 += solid_angle * q.density[i] * q.density[i] * q.density[i];
     peak = std::max(peak, d);
     peak_of_brdf = std::max(peak_of_brdf, q.density[i]);
   }
-  e.leak = lobe_leak(mirror, q.width, q.cos_theta);
+  const double leak = lobe_leak(mirror, q.width, q.cos_theta);
+  const double leak_beside = two ? lobe_leak(mirror_beside, q.width, q.cos_theta) : 0;
+  e.leak = two ? (1 - w) * leak + w * leak_beside : leak;
   e.tv = missing;
   // Over the hemisphere the scaled lobe integrates to 1 less this.
-  const double lost = std::max(1 - scale * (1 - e.leak), 0.0);
+  const double kept = scale * (1 - leak) + scale_beside * (1 - leak_beside);
+  const double lost = std::max(1 - kept, 0.0);
   e.l1 = std::max(2 * missing - lost, 0.0);
   e.l2 = std::sqrt(l2 / norm2);
   e.l3 = std::cbrt(l3 / norm3);
@@ -79,11 +103,17 @@ LobeError measure_lobe(const Quadrature& q, const f64::Lobe& lobe, Horizon horiz
   return e;
 }
 
+} // namespace
+
+LobeError measure_lobe(const Quadrature& q, const f64::Lobe& lobe, Horizon horizon) {
+  return measure_density(q, f64::FittedLobe{lobe, 1, 0}, horizon);
+}
+
 // The light is n1 D where E (rho/E) is right. For directions P with the integrals d of D and p of
 // rho/E over them, n1 d - E p = E (d - p) + (n1 - E) d, of which |d - p| <= TV and 0 <= d <= 1.
 // A light of radiance 0..1 is a mixture of such sets.
-LobeError measure_lobe(const Quadrature& q, const f64::FittedLobe& fitted, Horizon horizon) {
-  LobeError e = measure_lobe(q, fitted.lobe, horizon);
+LobeError measure_lobe(const Quadrature& q, const MeasuredLobe& fitted, Horizon horizon) {
+  LobeError e = measure_density(q, fitted, horizon);
   e.n1 = std::abs(fitted.n1 - q.n1);
   e.n5 = std::abs(fitted.n5 - q.n5);
   e.bound = q.n1 * e.tv + e.n1;
@@ -145,21 +175,28 @@ double mean_second_difference(const LobeFunction& lobes, int points) {
 
 LobeFunction lobes_of(const table::LobeTable& table) {
   return [&table](double roughness, double cos_theta) {
-    return table::fetch_native(table, roughness, cos_theta);
+    return MeasuredLobe(table::fetch_native(table, roughness, cos_theta),
+                        table::fetch_native_second(table, roughness, cos_theta));
   };
 }
 
 LobeFunction lobes_of(const table::PackedTable& packed) {
   return [&packed](double roughness, double cos_theta) {
-    return table::fetch_packed(packed, roughness, cos_theta);
+    return MeasuredLobe(table::fetch_packed(packed, roughness, cos_theta),
+                        table::fetch_packed_second(packed, roughness, cos_theta));
   };
+}
+
+MeasuredLobe fetch_measured(const table::PackedTable& packed, double roughness, double cos_theta) {
+  return {table::fetch_albedo(packed, roughness, cos_theta),
+          table::fetch_packed_second(packed, roughness, cos_theta)};
 }
 
 Horizon horizon_of(const table::PackedTable& packed) {
   const std::string& said = packed.metadata.horizon;
   if (said == name_of(Horizon::clipped) || said == table::k_divided) return Horizon::clipped;
   if (said == name_of(Horizon::leaking)) return Horizon::leaking;
-  return packed.layout == table::Layout::native ? Horizon::clipped : Horizon::leaking;
+  return table::is_native(packed.layout) ? Horizon::clipped : Horizon::leaking;
 }
 
 double theta_at(double t, double theta_to_degrees, table::AngleAxis axis) {
@@ -211,19 +248,23 @@ Result<std::vector<ErrorMap>> measure_maps(const brdf::Brdf& brdf,
     map.cells.resize(count);
     map.albedo.resize(count);
   }
+  std::vector<HalfVectors> half_vectors;
+  for (const double roughness : axes.roughness)
+    half_vectors.push_back(find_half_vectors(brdf, roughness));
   std::vector<std::string> failures(count);
   parallel_for(std::int64_t(count), 0, [&](std::int64_t index) {
     const std::size_t k = std::size_t(index);
     const double roughness = axes.roughness[k % columns];
     const double theta_degrees = axes.theta_degrees[k / columns];
     const double cos_theta = std::cos(theta_degrees * f64::k_pi / 180);
-    const Result<Quadrature> rule = make_quadrature(brdf, roughness, cos_theta, quadrature);
+    const Result<Quadrature> rule =
+        make_quadrature(brdf, roughness, cos_theta, half_vectors[k % columns], quadrature);
     if (!rule) {
       failures[k] = rule.error().message;
       return;
     }
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-      const f64::FittedLobe fitted = candidates[c].lobes(roughness, cos_theta);
+      const MeasuredLobe fitted = candidates[c].lobes(roughness, cos_theta);
       if (!is_finite(fitted)) {
         failures[k] = fmt::format("{}: the lobe at roughness {:.6g}, theta {:.6g} degrees is not "
                                   "finite; the table is broken or read in a wrong layout",

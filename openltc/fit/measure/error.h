@@ -48,16 +48,29 @@ struct LobeErrorField {
 /// All of them, in the order of the struct.
 std::span<const LobeErrorField> lobe_error_fields();
 
+/// What shading reads at one place: a lobe with its amplitudes and, where there are two, a second
+/// one that has a share of n1.
+struct MeasuredLobe : f64::FittedLobe {
+  f64::SecondLobe second{f64::cosine_lobe(), 0};
+
+  MeasuredLobe() : f64::FittedLobe{f64::cosine_lobe(), 1, 0} {}
+  MeasuredLobe(const f64::FittedLobe& fitted) : f64::FittedLobe(fitted) {}
+  MeasuredLobe(const f64::FittedLobe& fitted, const f64::SecondLobe& beside)
+      : f64::FittedLobe(fitted), second(beside) {}
+  bool two() const { return second.weight != 0; }
+};
+
 /// Error of one lobe against a quadrature of its BRDF; no amplitude is known: bound, n1, n5 are 0.
 LobeError measure_lobe(const Quadrature& quadrature, const f64::Lobe& lobe,
                        Horizon horizon = Horizon::leaking);
 
-/// The same for a lobe with its amplitudes, as shading multiplies them: all figures.
-LobeError measure_lobe(const Quadrature& quadrature, const f64::FittedLobe& fitted,
+/// The same for a lobe, or two, with amplitudes, as shading multiplies them: all figures. Of two
+/// lobes the density is (1 - w) D1 + w D2, each read by its own horizon.
+LobeError measure_lobe(const Quadrature& quadrature, const MeasuredLobe& fitted,
                        Horizon horizon = Horizon::leaking);
 
-/// No entry, determinant or amplitude is NaN or infinite.
-bool is_finite(const f64::FittedLobe& fitted);
+/// No entry, determinant, amplitude or weight is NaN or infinite.
+bool is_finite(const MeasuredLobe& fitted);
 
 /// What a lobe is multiplied with before it is compared: 1, or one over its share above the
 /// surface's horizon, exactly as make_surface of shade/surface.glsl finds it.
@@ -66,13 +79,16 @@ double horizon_scale(const f64::Lobe& lobe, Horizon horizon);
 /// Lobe and amplitudes for a roughness 0..1 and the cosine of the view angle, as shading reads
 /// them: a table with its interpolation, a polynomial, a file of another layout. Called from any
 /// thread.
-using LobeFunction = std::function<f64::FittedLobe(double roughness, double cos_theta)>;
+using LobeFunction = std::function<MeasuredLobe(double roughness, double cos_theta)>;
 
 /// The look-up of a native table, which must outlive the function.
 LobeFunction lobes_of(const table::LobeTable& table);
 
 /// The look-up of a table of any layout, as its engines do it; it must outlive the function.
 LobeFunction lobes_of(const table::PackedTable& packed);
+
+/// What lobes_of reads at one place, with the albedo as n1 and n5 where they are divided.
+MeasuredLobe fetch_measured(const table::PackedTable& packed, double roughness, double cos_theta);
 
 /// How a table's lobes are to be read: as its metadata says, otherwise clipped for the native
 /// layout, which our shading reads, and leaking for those of other engines.
@@ -107,11 +123,11 @@ struct TableError {
 /// Statistics of a map, every cell counted once. The bounds are those of the map's own axes.
 TableError summarise(const ErrorMap& map);
 
-/// Mean |second difference| of A B C D over the whole table, along both axes.
+/// Mean |second difference| of A B C D of the first lobe over the whole table, along both axes.
 double mean_second_difference(const table::LobeTable& table);
 
-/// Roughness of lobes over both axes, whatever their packing: mean |second difference| of m00 m02
-/// m20 m22 (M^-1 with middle element 1) between `points` x `points` samples, equidistant in
+/// Roughness of the first lobe over both axes, whatever their packing: mean |second difference| of
+/// m00 m02 m20 m22 (M^-1 with middle element 1) between `points` x `points` samples, equidistant in
 /// roughness and sqrt(1 - cos theta) from 0 to 1. `points` >= 3; 64 are the nodes of the tables
 /// that engines use.
 double mean_second_difference(const LobeFunction& lobes, int points = 64);

@@ -117,12 +117,16 @@ Result<std::vector<LightError>> measure_lights(const brdf::Brdf& brdf,
                                            at.corners) /
                rule->n1;
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-      const f64::FittedLobe fitted = candidates[c].lobes(at.roughness, at.cos_theta);
+      const MeasuredLobe fitted = candidates[c].lobes(at.roughness, at.cos_theta);
       const LobeError bounds = measure_lobe(*rule, fitted, candidates[c].horizon);
       // As shade_polygon does it.
-      const double share = std::min(horizon_scale(fitted.lobe, candidates[c].horizon) *
-                                        integrate_lobe_over_polygon(fitted.lobe, at.corners),
-                                    1.0);
+      const auto filled = [&](const f64::Lobe& lobe) {
+        return horizon_scale(lobe, candidates[c].horizon) *
+               integrate_lobe_over_polygon(lobe, at.corners);
+      };
+      const double w = fitted.second.weight;
+      const double share = std::min(
+          (1 - w) * filled(fitted.lobe) + (fitted.two() ? w * filled(fitted.second.lobe) : 0), 1.0);
       errors[c][i] = {share - light[i], bounds.tv, fitted.n1 * share - rule->n1 * light[i],
                       bounds.bound};
       if (!is_finite(fitted) || !std::isfinite(share))

@@ -26,7 +26,7 @@ Candidate candidate_of(table::PackedTable packed, const std::string& label) {
   Candidate c;
   c.label = label;
   c.lobes = [shared](double roughness, double cos_theta) {
-    return table::fetch_albedo(*shared, roughness, cos_theta);
+    return fetch_measured(*shared, roughness, cos_theta);
   };
   c.horizon = horizon_of(*shared);
   c.metadata = {

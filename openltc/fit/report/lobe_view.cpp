@@ -24,6 +24,15 @@ Density density_of(const f64::Lobe& lobe, Horizon horizon) {
   };
 }
 
+Density density_of(const MeasuredLobe& fitted, Horizon horizon) {
+  const Density first = density_of(fitted.lobe, horizon);
+  if (!fitted.two()) return first;
+  const double w = fitted.second.weight;
+  return [first, second = density_of(fitted.second.lobe, horizon), w](Vec3d wi) {
+    return (1 - w) * first(wi) + w * second(wi);
+  };
+}
+
 DiscWindow window_of_lobe(const Quadrature& q) {
   const double c = q.cos_theta, s = std::sqrt(std::max(0.0, 1 - c * c));
   double mean = 0, square = 0, across = 0;

@@ -12,6 +12,7 @@
 
 #include "openltc/brdf/brdf.h"
 #include "openltc/fit/horizon.h"
+#include "openltc/fit/measure/error.h"
 #include "openltc/fit/quadrature.h"
 #include "openltc/target/shade_f64.h"
 
@@ -29,6 +30,9 @@ Density density_of(const brdf::Brdf& brdf, const Quadrature& quadrature);
 /// A lobe with its horizon read as stated, not negative. Directions below the horizon are the
 /// caller's to leave out.
 Density density_of(const f64::Lobe& lobe, Horizon horizon);
+
+/// Of both lobes where there are two, weighted.
+Density density_of(const MeasuredLobe& fitted, Horizon horizon);
 
 /// A square window of the disc: its centre lies on the plane of incidence, at (center_x, 0).
 struct DiscWindow {

@@ -89,8 +89,7 @@ Result<WorstCell> describe_cell(const brdf::Brdf& brdf, const std::vector<Candid
 
   std::vector<Density> densities = {density_of(brdf, *rule)};
   for (const Candidate& candidate : candidates)
-    densities.push_back(
-        density_of(candidate.lobes(cell.roughness, cos_theta).lobe, candidate.horizon));
+    densities.push_back(density_of(candidate.lobes(cell.roughness, cos_theta), candidate.horizon));
   choose_cut(densities, cell);
   cell.brdf = picture(densities[0], cell);
   for (std::size_t i = 1; i < densities.size(); ++i)
@@ -169,7 +168,8 @@ Result<Report> make_report(const brdf::Brdf& brdf, const std::vector<Candidate>&
     if (!done) return done.error();
     report.regions.push_back(std::move(*done));
   }
-  const Result<std::vector<LightError>> lights = measure_lights(brdf, measured, options.lights);
+  Result<std::vector<LightError>> lights = std::vector<LightError>(candidates.size());
+  if (options.lights.count > 0) lights = measure_lights(brdf, measured, options.lights);
   if (!lights) return lights.error();
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     const Candidate& from = candidates[c];

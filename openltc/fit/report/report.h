@@ -36,7 +36,7 @@ struct ReportOptions {
   std::string tool_version; ///< of OpenLTC
   /// What is measured between the nodes. The worst cells are those of the first.
   std::vector<MeasureOptions> regions = default_regions();
-  LightFamily lights;
+  LightFamily lights;         ///< of no members: the lights are not measured
   int smoothness_points = 64; ///< see mean_second_difference
   int worst_cells = 4;        ///< of the subject; half as many of each other candidate
 

@@ -70,17 +70,20 @@ std::string to_text(const Report& report) {
       });
     }
   }
-  text += fmt::format("integrals over {} random rectangles, radiance 1, albedo 1\n",
-                      report.lights.count);
-  text += row_of(report, "",
-                 [](std::size_t) { return std::string("   rmse    mean     p95     max"); });
-  text += row_of(report, "error", [&](std::size_t c) {
-    const LightError& e = report.candidates[c].lights;
-    return fmt::format("{} {} {} {}", number(e.rmse), number(e.mean), number(e.p95), number(e.max));
-  });
-  text += row_of(report, "beyond", [&](std::size_t c) {
-    return fmt::format("{:7} of them beyond their bound", report.candidates[c].lights.violations);
-  });
+  if (report.lights.count > 0) {
+    text += fmt::format("integrals over {} random rectangles, radiance 1, albedo 1\n",
+                        report.lights.count);
+    text += row_of(report, "",
+                   [](std::size_t) { return std::string("   rmse    mean     p95     max"); });
+    text += row_of(report, "error", [&](std::size_t c) {
+      const LightError& e = report.candidates[c].lights;
+      return fmt::format("{} {} {} {}", number(e.rmse), number(e.mean), number(e.p95),
+                         number(e.max));
+    });
+    text += row_of(report, "beyond", [&](std::size_t c) {
+      return fmt::format("{:7} of them beyond their bound", report.candidates[c].lights.violations);
+    });
+  }
   text += "mean second difference of M^-1 over the axes\n";
   text += row_of(report, "", [&](std::size_t c) {
     const std::optional<double>& d = report.candidates[c].second_difference;

@@ -138,9 +138,11 @@ struct LobeBound {
   bool above = false;      ///< all of them are above the cosine's horizon
 };
 
-LobeBound bound_lobe(const BatchBounds& batch, Interval x, Interval y, Interval z) {
-  const Interval a = field(batch, k_bound_a), ab = field(batch, k_bound_ab);
-  const Interval oz = field(batch, k_bound_ac) * x + field(batch, k_bound_ad) * z;
+// Of the lobe whose fields begin at `first`, k_bound_a or k_bound_second.
+LobeBound bound_lobe(const BatchBounds& batch, int first, Interval x, Interval y, Interval z) {
+  const int offset = first - k_bound_a;
+  const Interval a = field(batch, first), ab = field(batch, k_bound_ab + offset);
+  const Interval oz = field(batch, k_bound_ac + offset) * x + field(batch, k_bound_ad + offset) * z;
   LobeBound lobe;
   if (oz.upper <= 0) return lobe;
 
@@ -155,12 +157,13 @@ LobeBound bound_lobe(const BatchBounds& batch, Interval x, Interval y, Interval 
 
   lobe.above = oz.lower > k_slack;
   lobe.least_length2 = q + least_square(oz);
-  const float peak = batch.upper[k_bound_peak];
+  const float peak = batch.upper[k_bound_peak + offset];
   const float best = std::clamp(std::sqrt(q * (1.0f / 3)), std::max(oz.lower, 0.0f), oz.upper);
   const float length2 = q + best * best;
   lobe.density = peak;
   if (length2 < 1.0e-12f) return lobe; // as good as nothing is known of o
-  lobe.density = std::min(peak, batch.upper[k_bound_density] * (best / (length2 * length2)));
+  lobe.density =
+      std::min(peak, batch.upper[k_bound_density + offset] * (best / (length2 * length2)));
   return lobe;
 }
 
@@ -215,8 +218,12 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
     if (cos_triangle.upper <= 0) return bound;
     behind_some = cos_triangle.lower <= 0;
   }
-  const LobeBound lobe = bound_lobe(batch, cosine_to[0], cosine_to[1], cosine_to[2]);
-  const float density = lobe.density;
+  const LobeBound lobe = bound_lobe(batch, k_bound_a, cosine_to[0], cosine_to[1], cosine_to[2]);
+  // Of two lobes the densities add, with the weights that they have in them.
+  const bool two = batch.upper[k_bound_second_peak] > 0;
+  float density = lobe.density;
+  if (two)
+    density += bound_lobe(batch, k_bound_second, cosine_to[0], cosine_to[1], cosine_to[2]).density;
   const float form = cos_light * inv_near2;
   const float share = std::min(extent.area * form * density, 1.0f);
 
@@ -236,9 +243,10 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
   // or a light wrongly has there is that, beside what the horizon would cut.
   const bool cut = cos_surface.lower <= 0 || behind_some;
   const float hidden = behind_some ? tilt : 0.0f;
-  // The far form knows nothing of the ratio to the BRDF, which turns with the direction.
+  // The far form knows nothing of the ratio to the BRDF, which turns with the direction, nor of a
+  // second lobe.
   const float ratio = batch.upper[k_bound_ratio];
-  const bool far_specular = far_diffuse && !cut && ratio == 1.0f;
+  const bool far_specular = far_diffuse && !cut && ratio == 1.0f && !two;
   const float inv_near = reach.inv_nearest, inv_near3 = inv_near * inv_near2;
   const float inv_near4 = inv_near2 * inv_near2, inv_near5 = inv_near4 * inv_near;
   const float inv_o2 = 1 / std::max(lobe.least_length2, 1.0e-8f);

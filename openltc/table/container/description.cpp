@@ -171,8 +171,8 @@ Result<PackedTable> packed_from_json(const std::string& text, const std::string&
       columns != std::floor(columns) || rows != std::floor(rows))
     return Error{fmt::format("{}: columns and rows must be whole numbers to {}", name, limit)};
   const auto textures = root.find("textures");
-  if (textures == root.end() || !textures->is_array() || textures->empty() || textures->size() > 2)
-    return Error{fmt::format("{}: textures must be an array of one or two", name)};
+  if (textures == root.end() || !textures->is_array() || textures->empty() || textures->size() > 3)
+    return Error{fmt::format("{}: textures must be an array of one to three", name)};
 
   PackedTable packed;
   packed.precision = text_of(description, "precision") == name_of(Precision::float16)

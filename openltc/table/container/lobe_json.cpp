@@ -73,23 +73,30 @@ std::string builtin_metadata(const std::string& constant, const TableMetadata& m
   return out + "};\n";
 }
 
-std::string builtin_numbers(const std::string& constant, const std::vector<float>& values) {
+std::string builtin_array(const std::string& constant, const std::vector<float>& values,
+                          int channels) {
   std::string out = fmt::format("inline constexpr float {}[{}] = {{\n", constant, values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::string number = json_number(values[i]);
     // A whole number needs no suffix; others would be doubles.
     if (number.find_first_of(".e") != std::string::npos) number += 'f';
-    const bool last_of_line = (i + 1) % LobeTable::k_channels == 0;
+    const bool last_of_line = (i + 1) % std::size_t(channels) == 0;
     out += number + (i + 1 < values.size() ? "," : "") + (last_of_line ? "\n" : "");
   }
-  return out + "};\n// clang-format on\n\n} // namespace openltc\n";
+  return out + "};\n";
 }
 
-std::string number_rows(const std::vector<float>& values, int stride) {
+std::string builtin_end() { return "// clang-format on\n\n} // namespace openltc\n"; }
+
+std::string builtin_numbers(const std::string& constant, const std::vector<float>& values) {
+  return builtin_array(constant, values, LobeTable::k_channels) + builtin_end();
+}
+
+std::string number_rows(const std::vector<float>& values, int stride, int stored) {
   std::string rows;
   const std::size_t step = std::size_t(stride);
   for (std::size_t i = 0; i + step <= values.size(); i += step) {
-    for (int k = 0; k < k_stored_channels; ++k) {
+    for (int k = 0; k < stored; ++k) {
       if (k > 0) rows += ",";
       rows += json_number(values[i + std::size_t(k)]);
     }

@@ -36,9 +36,14 @@ std::string builtin_metadata(const std::string& constant, const TableMetadata& m
 /// Texels or terms of LobeTable::k_channels floats as a constant array, one of them a line, with
 /// all channels; then the namespace's end.
 std::string builtin_numbers(const std::string& constant, const std::vector<float>& values);
+/// The two parts of builtin_numbers, for any number of channels.
+std::string builtin_array(const std::string& constant, const std::vector<float>& values,
+                          int channels);
+std::string builtin_end();
 
-/// The stored channels of texels or terms of `stride` floats, one of them a line, each number the
-/// shortest that reads back as the same float.
-std::string number_rows(const std::vector<float>& values, int stride);
+/// The first `stored` channels of texels or terms of `stride` floats, one of them a line, each
+/// number the shortest that reads back as the same float.
+std::string number_rows(const std::vector<float>& values, int stride,
+                        int stored = k_stored_channels);
 
 } // namespace openltc::table

@@ -82,21 +82,26 @@ Batch make_batch(Random& random) {
   return batch;
 }
 
-// Tables of all sizes in turn: the built-in, and parts of it down to one column and one row.
+// Tables of all sizes in turn: the built-in, and parts of it down to one column and one row. Each
+// with a second lobe, that of another node, of any weight.
 LobeTableView table_of_round(int round) {
   const table::LobeTable& from = table::builtin_ggx_table();
   const int sizes[][2] = {{from.columns, from.rows}, {1, 1}, {1, 7}, {2, 1}, {3, 2}};
-  static std::vector<float> texels;
+  static std::vector<float> texels, second;
   const int columns = sizes[round % 5][0], rows = sizes[round % 5][1];
   texels.clear();
+  second.clear();
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
       // Nodes spread over the whole table, without its first column, a mirror.
       const float* texel = from.texel(from.columns - 1 - x * (from.columns - 1) / columns,
                                       y * (from.rows - 1) / rows);
       texels.insert(texels.end(), texel, texel + table::LobeTable::k_channels);
+      texels[texels.size() - 2] = float((7 * x + 3 * y) % 11) / 10;
+      const float* other = from.texel(from.columns - 1 - x % 8, from.rows / 2 + y % 16);
+      second.insert(second.end(), other, other + table::LobeTable::k_second_channels);
     }
-  return {texels.data(), columns, rows};
+  return {texels.data(), columns, rows, second.data()};
 }
 
 // Profiles of several sizes in turn: smooth, of one column, of one row, of a single value.
