@@ -36,7 +36,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> scenes;
-  std::vector<std::string> tables = {"built-in"};
+  std::vector<std::string> tables = {"built-in", "two-lobe"};
   std::vector<std::string> forms = {"lobe", "ratio"};
   std::string size = "192x108";
   std::string folder = OPENLTC_SOURCE_DIR "/scenes/hard";
@@ -76,25 +76,28 @@ struct NamedForm {
   const char* name;
   render::SpecularForm form;
 };
-const NamedForm k_forms[] = {{"lobe", "one lobe", render::SpecularForm::lobe},
-                             {"ratio", "one lobe, ratio", render::SpecularForm::ratio}};
+const NamedForm k_forms[] = {{"lobe", "", render::SpecularForm::lobe},
+                             {"ratio", ", ratio", render::SpecularForm::ratio}};
 
 /// The lobes of the table (or polynomial) of a file, in every form that was asked for.
 void add_forms(const std::string& table, const std::vector<std::string>& wanted,
                std::vector<Form>& forms) {
-  auto lobes = std::make_shared<table::ShadingLobes>(table::builtin_ggx_table());
-  std::string label = table;
-  if (table != "built-in") {
+  auto lobes = std::make_shared<table::ShadingLobes>(
+      table == "two-lobe" ? table::builtin_ggx_two_lobe_table() : table::builtin_ggx_table());
+  std::string label = table == "two-lobe" ? "built-in" : table;
+  if (label != "built-in") {
     std::vector<std::string> notes;
     *lobes = got(table::read_shading_lobes(table, notes));
     for (const std::string& note : notes)
       fmt::print(stderr, "bench_hard: {}\n", note);
     label = fs::path(table).stem().string();
   }
+  const auto* held = std::get_if<table::LobeTable>(lobes.get());
+  const std::string what = held && held->two_lobes() ? "two lobes" : "one lobe";
   for (const NamedForm& named : k_forms) {
     if (std::find(wanted.begin(), wanted.end(), named.option) == wanted.end()) continue;
     forms.push_back(
-        {named.name, label,
+        {what + named.name, label,
          [lobes, form = named.form](const scene::Scene& scene, render::RenderOptions options) {
            options.specular_form = form;
            const render::LobeSource source =
@@ -338,7 +341,9 @@ int main(int argc, char** argv) {
   app.add_option("--scene", options.scenes, "A scene's name, may be repeated [all]")
       ->allow_extra_args(false);
   app.add_option("--table", options.tables,
-                 "Lobes: a file of openltc fit, or built-in; may be repeated [built-in]")
+                 "Lobes: a file of openltc fit, or those built in, one (built-in) or two "
+                 "(two-lobe); may be "
+                 "repeated [built-in and two-lobe]")
       ->allow_extra_args(false);
   app.add_option("--form", options.forms,
                  "Form of the closed form: lobe or ratio; may be repeated [both]")
