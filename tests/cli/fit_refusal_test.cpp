@@ -53,7 +53,7 @@ TEST_CASE("fit_names_what_is_wrong_usage") {
       {{"--size", "many"}, "--size"},
       {{"--form", "polynomial", "--degree", "2"}, "--degree"},
       {{"--form", "polynomial", "--degree", "7"}, "--degree"},
-      {{"--form", "spline"}, "table or polynomial, not 'spline'"},
+      {{"--form", "spline"}, "table, polynomial or two-lobe, not 'spline'"},
       {{"--layout", "unreal"}, "godot or o3de, not 'unreal'"},
       {{"--layout", "1"}, "'1'"},
       {{"--precision", "float8"}, "float32 or float16"},
