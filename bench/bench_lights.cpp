@@ -7,8 +7,8 @@
 //
 // In the same run: a quad in the usual scalar formulation, and how many times faster lanes are that
 // return the same, with the albedo of the whole lobe for its reflectance; quads named _fresnel are
-// shaded as the renderer does it. The multiply-adds that this CPU can do, and the fraction of them
-// that a quad needs.
+// shaded as the renderer does it, those named _exact by GGX itself. The multiply-adds that this CPU
+// can do, and the fraction of them that a quad needs.
 
 #include "bench/counted.h"
 #include "bench/fma_peak.h"
@@ -236,10 +236,13 @@ struct Quads {
   std::string name;
   Work evenly;  ///< returns what the usual formulation does
   Work fresnel; ///< as the renderer shades: Fresnel's reflectance in the mean direction
+  Work exact;   ///< the same with GGX itself for the lobe
 
-  Quads(const char* n, const Work& work) : name(n), evenly(work), fresnel(work) {
+  Quads(const char* n, const Work& work) : name(n), evenly(work), fresnel(work), exact(work) {
     for (LightBatch& batch : evenly.batches)
       batch.even_reflectance = true;
+    for (LightBatch& batch : exact.batches)
+      batch.exact = true;
   }
 };
 
@@ -304,6 +307,7 @@ int main(int argc, char** argv) {
     for (const Quads& q : quads) {
       add_benchmark(q.name + suffix, run_target, std::cref(q.evenly), target.shade);
       add_benchmark(q.name + "_fresnel" + suffix, run_target, std::cref(q.fresnel), target.shade);
+      add_benchmark(q.name + "_exact" + suffix, run_target, std::cref(q.exact), target.shade);
     }
     for (int k = 0; k < testing::k_light_shapes; ++k)
       add_benchmark(testing::shape_name(testing::shape_of_index(k)) + suffix, run_target,

@@ -76,13 +76,14 @@ void add_sampling(CLI::App& command, RenderArguments& a) {
       ->transform(one_of(forms))
       ->type_name(words_of(forms));
   const Choices<render::SpecularForm> specular = {{"lobe", render::SpecularForm::lobe},
-                                                  {"ratio", render::SpecularForm::ratio}};
+                                                  {"ratio", render::SpecularForm::ratio},
+                                                  {"exact", render::SpecularForm::exact}};
   command
       .add_option(
           "--specular", a.specular,
           "Specular light of area lights by the fitted lobe alone, or times the ratio of the "
           "BRDF to it in the direction of each light: small lights are exact then, and "
-          "mean errors a half [lobe]")
+          "mean errors a half; or, for polygons, of GGX itself: exact, and slower [lobe]")
       ->transform(one_of(specular))
       ->type_name(words_of(specular));
 }

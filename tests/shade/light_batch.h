@@ -39,6 +39,8 @@ struct LightBatch {
   /// Polygons, of ShadeLights: the specular albedo taken for the reflectance of the whole lobe, as
   /// renderers usually do, instead of Fresnel's reflectance in the mean direction.
   bool even_reflectance = false;
+  /// GGX itself instead of the lobe, where the shape has it: make_exact.
+  bool exact = false;
 };
 
 /// What the dialect makes of each, radiance 1.
