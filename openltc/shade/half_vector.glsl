@@ -30,9 +30,7 @@ struct ExactView {
   Real half_cos; ///< of half that azimuth
   Real half_sin; ///< of half that azimuth
   Real masking;  ///< masking_of_height of the mirror direction
-  /// pi times D of wi along the normal, and times what masking_of_height has more there than in the mirror
-  /// direction.
-  Real at_normal;
+  /// pi times D of wi along the normal, times what masking_of_height has more there than in the mirror direction.
   Real more_at_normal;
 };
 
@@ -42,11 +40,13 @@ struct HalfTurn {
   Real s; ///< its sine, -1..1
 };
 
-/// Half of the angle of (x, y) from the x axis, -pi..pi; a whole turn is on the side that y's sign tells.
+/// Half of the angle of the unit vector (x, y) from the x axis, -pi..pi; a half turn is on the side that y's sign
+/// tells.
 FN HalfTurn half_turn(Real x, Real y) {
-  Real inv_r = inversesqrt(max(x * x + y * y, Real(k_tiny)));
-  Real larger = sqrt(Real(0.5) + Real(0.5) * min(abs(x) * inv_r, Real(1.0)));
-  Real smaller = Real(0.5) * min(abs(y) * inv_r, Real(1.0)) / larger;
+  Real larger2 = Real(0.5) + Real(0.5) * min(abs(x), Real(1.0));
+  Real inv_larger = inversesqrt(larger2);
+  Real larger = larger2 * inv_larger;
+  Real smaller = Real(0.5) * abs(y) * inv_larger;
   Mask back = x < Real(0.0);
   Real s = select(back, larger, smaller);
   HalfTurn turn;
@@ -74,13 +74,13 @@ FN ExactView exact_view(Vec3 wo, Real alpha, Vec3 start) {
   HalfTurn turn = half_turn(view.start_x, view.start_y);
   view.half_cos = turn.c;
   view.half_sin = turn.s;
-  // W of masking_of_height is z G2 / (4 cos_o z): of the mirror direction, whose height is cos_o, and of 1.
+  // masking_of_height at cos_o, where both roots are the same.
   view.masking = Real(0.25) / view.root_o;
   // c / e with c = 2 u and e = u (1 - cos_o + alpha^2 u), u = 1 + cos_o.
   Real e = Real(1.0) - view.cos_o + view.alpha2 * (Real(1.0) + view.cos_o);
   Real ratio = Real(2.0) / max(e, Real(k_tiny));
-  view.at_normal = view.alpha2 * ratio * ratio;
-  view.more_at_normal = view.at_normal * (Real(0.5) / (view.root_o + view.cos_o) - view.masking);
+  view.more_at_normal =
+      view.alpha2 * ratio * ratio * (Real(0.5) / (view.root_o + view.cos_o) - view.masking);
   return view;
 }
 

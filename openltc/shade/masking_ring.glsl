@@ -11,12 +11,15 @@
 // whose integral over phi is elementary. f_s cos_i = W(z) D with W = G2 / (4 cos_o) of Smith, so that
 //   integral over a light = contour integral of -W(z) Psi(z, phi) dz,   Psi = integral of D from some phi0 to phi.
 // An arc along the horizon has no dz and counts nothing. Where a light encloses the normal, what is between the
-// edge and the normal at the azimuth opposite of phi0 has to be added.
+// outline and the normal at the azimuth opposite of phi0 has to be added. Counted is what W(z) has more than W in
+// the mirror direction, whose part the visible normals have. Near the normal azimuths turn fast: D there times
+// that is taken out of the rings, and added as so much per solid angle.
 
 /// W(z) = f_s cos_i / D of Smith's height-correlated masking.
 FN Real masking_of_height(ExactView view, Real z) {
-  Real root = sqrt(z * z * (Real(1.0) - view.alpha2) + view.alpha2);
-  return Real(0.5) * z / max(z * view.root_o + view.cos_o * root, Real(k_tiny));
+  Real root2 = z * z * (Real(1.0) - view.alpha2) + view.alpha2;
+  Real root = root2 * inversesqrt(root2);
+  return Real(0.5) * z * reciprocal(max(z * view.root_o + view.cos_o * root, Real(k_tiny)));
 }
 
 /// The coefficients of e on a ring.
@@ -40,7 +43,7 @@ FN Ring ring_at(ExactView view, Real z, Real sin_i) {
   ring.mean = sin2 + view.alpha2 * u2;
   ring.more = both * both + view.alpha2 * u2;
   ring.product = u2 * (d * d + view.alpha2 * (Real(2.0) * sin2 + view.alpha2 * u2));
-  ring.less = ring.product / ring.more;
+  ring.less = ring.product * reciprocal(ring.more);
   ring.k = (Real(1.0) - view.alpha2) * u2;
   return ring;
 }
@@ -51,34 +54,49 @@ struct RingPart {
   Real inverse;  ///< integral of 1 / e over it
   Real end;      ///< e at its end
   Real begin;    ///< and at its beginning
+  Real turned;   ///< sine at the end times e at the beginning less the reverse, over b
+  Real inv_root; ///< 1 / sqrt(A^2 - b^2)
   HalfTurn turn; ///< half of the angle
   HalfTurn at;   ///< half of the azimuth of its end, from the mirror's
 };
 
-/// (x, y): the azimuth of the end, from the axis at which rings begin.
+/// Angle of (x, y) from the x axis, -pi..pi, to 3e-7.
+FN Real ring_angle(Real x, Real y) {
+  Real ax = abs(x);
+  Real ay = abs(y);
+  Real larger = max(ax, ay);
+  Real angle = atan_unit(min(ax, ay) * reciprocal(max(larger, Real(k_tiny))));
+  angle = select(ay > ax, Real(0.5) * k_pi - angle, angle);
+  angle = select(x < Real(0.0), k_pi - angle, angle);
+  return select(y < Real(0.0), -angle, angle);
+}
+
+/// (x, y): the azimuth of the end, from the axis at which rings begin, unit.
 FN RingPart ring_part(ExactView view, Ring ring, Real x, Real y) {
   RingPart part;
   part.turn = half_turn(x, y);
-  part.angle = Real(2.0) * angle_of(part.turn.c, part.turn.s);
+  part.angle = Real(2.0) * ring_angle(part.turn.c, part.turn.s);
   part.at.c = view.half_cos * part.turn.c - view.half_sin * part.turn.s;
   part.at.s = view.half_sin * part.turn.c + view.half_cos * part.turn.s;
-  Real root = sqrt(ring.product);
-  part.inverse =
-      Real(2.0) / root *
-      angle_of(ring.less * part.at.c * view.half_cos + ring.more * part.at.s * view.half_sin,
-               root * part.turn.s);
-  part.end = ring.less * part.at.c * part.at.c + ring.more * part.at.s * part.at.s;
+  Real less_c = ring.less * part.at.c;
+  Real more_s = ring.more * part.at.s;
+  part.inv_root = inversesqrt(max(ring.product, Real(k_tiny)));
+  part.inverse = Real(2.0) * part.inv_root *
+                 ring_angle(less_c * view.half_cos + more_s * view.half_sin,
+                            ring.product * part.inv_root * part.turn.s);
+  part.end = less_c * part.at.c + more_s * part.at.s;
   part.begin =
-      ring.less * view.half_cos * view.half_cos + ring.more * view.half_sin * view.half_sin;
+      ring.less * (view.half_cos * view.half_cos) + ring.more * (view.half_sin * view.half_sin);
+  part.turned = Real(2.0) * part.turn.s * (less_c * view.half_cos - more_s * view.half_sin);
   return part;
 }
 
 /// pi Psi over that part.
 FN Real ring_integral(ExactView view, Ring ring, RingPart part) {
-  Real turned = Real(2.0) * part.turn.s *
-                (ring.less * part.at.c * view.half_cos - ring.more * part.at.s * view.half_sin);
   Real b = Real(0.5) * (ring.more - ring.less);
-  Real squared = (ring.mean * part.inverse + b * (turned / part.end / part.begin)) / ring.product;
+  Real squared = (ring.mean * part.inverse +
+                  b * (part.turned * reciprocal(max(part.end * part.begin, Real(k_tiny))))) *
+                 (part.inv_root * part.inv_root);
   return view.alpha2 * (part.angle + ring.k * (Real(2.0) * part.inverse + ring.k * squared));
 }
 
@@ -91,9 +109,10 @@ FN Real whole_ring(ExactView view, Ring ring) {
 
 /// A node of the integral from an edge to the normal at v, of weight w; width: of the peak at cos_o.
 FN ContourSums add_cap_node(ExactView view, ContourSums sums, Real width, Real v, Real w) {
-  Real inv = Real(1.0) / max(Real(1.0) - v * v, Real(1.0e-6));
+  Real inv = reciprocal(max(Real(1.0) - v * v, Real(1.0e-6)));
   Real z = min(max(view.cos_o + Real(2.0) * width * v * inv, Real(0.0)), Real(1.0));
-  Ring ring = ring_at(view, z, sqrt(max(Real(1.0) - z * z, Real(0.0))));
+  Real sin2 = max(Real(1.0) - z * z, Real(k_tiny));
+  Ring ring = ring_at(view, z, sin2 * inversesqrt(sin2));
   Real dz = Real(2.0) * width * (Real(1.0) + v * v) * inv * inv * w;
   Real whole = whole_ring(view, ring);
   Real even = Real(2.0) * k_pi * view.more_at_normal;
@@ -135,7 +154,8 @@ FN_CALL ContourSums add_cap(ExactView view, ContourSums sums, Real z, Real sign)
 /// The contour integral of g x dg / |g|^2 along the horizon from the azimuth at which rings begin to that of q.
 FN_CALL ContourSums add_horizon_arc(ExactView view, ContourSums sums, ConicPoint q, Real sign) {
   Ring ring = ring_at(view, Real(0.0), Real(1.0));
-  RingPart part = ring_part(view, ring, q.r.x, q.r.y);
+  Real inv_r = inversesqrt(max(q.r.x * q.r.x + q.r.y * q.r.y, Real(k_tiny)));
+  RingPart part = ring_part(view, ring, q.r.x * inv_r, q.r.y * inv_r);
   // Of cos and sin over e. Looking along the normal e is constant, and the quotients lose their digits.
   Real cos_part = Real(0.5) * (ring.mean * part.inverse - part.angle); // times sin_o
   Mask straight = view.sin_o < Real(0.01);

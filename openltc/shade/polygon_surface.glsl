@@ -10,20 +10,39 @@ struct ExactPolygonSums {
   ContourSums contour; ///< above the horizon
 };
 
-/// The edge from a to b, shading space, added to both.
-FN ExactPolygonSums add_both_edges(ExactView view, ExactPolygonSums sums, Vec3 a, Vec3 b, Real apex,
-                                   Real sign) {
-  Real inv_a = inverse_length(a);
-  Real inv_b = inverse_length(b);
+/// The edge from a to b, shading space, added to both; inv_a, inv_b: 1 / their lengths.
+FN ExactPolygonSums add_both_edges(ExactView view, ExactPolygonSums sums, Vec3 a, Vec3 b,
+                                   Real inv_a, Real inv_b, Real apex, Real sign) {
   sums.diffuse = sums.diffuse + edge_term_above(a, b, apex, inv_a, inv_b) * sign;
   sums.contour = add_edge(view, sums.contour, a * inv_a, b * inv_b, sign);
   return sums;
 }
 
-/// Over the edges of a polygon at signed distance h along its normal; of its part in front of the plane with unit
-/// normal `front` (shading space) if it is `cut`: see sum_edges_in_front.
-FN_CALL ExactPolygonSums sum_exact_edges(Polygon polygon, Surface s, ExactView view, Real h,
-                                         bool cut, Vec3 front) {
+/// Over the edges of a polygon at signed distance h along its normal.
+FN_CALL ExactPolygonSums sum_exact_edges(Polygon polygon, Surface s, ExactView view, Real h) {
+  Real apex = apex_side(dot(s.frame.t2, polygon_normal(polygon)), h);
+  ExactPolygonSums sums;
+  sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  sums.contour = no_contour();
+  Vec3 a = to_shading(s.frame, polygon_point(polygon, 0) - s.position);
+  Real inv_a = inverse_length(a);
+  int count = polygon_point_count(polygon);
+  for (int i = 1; i < count; ++i) {
+    Vec3 b = to_shading(s.frame, polygon_point(polygon, i) - s.position);
+    Real inv_b = inverse_length(b);
+    if (!polygon_starts_ring(polygon, i)) {
+      sums = add_both_edges(view, sums, a, b, inv_a, inv_b, apex, Real(1.0));
+    }
+    a = b;
+    inv_a = inv_b;
+  }
+  return sums;
+}
+
+/// sum_exact_edges of the polygon's part in front of the plane with unit normal `front` (shading space): see
+/// sum_edges_in_front.
+FN_CALL ExactPolygonSums sum_exact_edges_in_front(Polygon polygon, Surface s, ExactView view,
+                                                  Real h, Vec3 front) {
   Real apex = apex_side(dot(s.frame.t2, polygon_normal(polygon)), h);
   ExactPolygonSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
@@ -35,26 +54,26 @@ FN_CALL ExactPolygonSums sum_exact_edges(Polygon polygon, Surface s, ExactView v
   for (int i = 1; i < count; ++i) {
     Vec3 b = to_shading(s.frame, polygon_point(polygon, i) - s.position);
     if (!polygon_starts_ring(polygon, i)) {
-      if (cut) {
-        Real a_height = dot(front, a);
-        Real b_height = dot(front, b);
-        Mask a_seen = a_height >= Real(0.0);
-        Mask b_seen = b_height >= Real(0.0);
+      Real a_height = dot(front, a);
+      Real b_height = dot(front, b);
+      Mask a_seen = a_height >= Real(0.0);
+      Mask b_seen = b_height >= Real(0.0);
+      if (any_lane(a_seen || b_seen)) {
         Vec3 at = a + (b - a) * crossing_place(a_height, b_height);
         at = at - front * dot(front, at);
-        if (any_lane(a_seen || b_seen)) {
-          sums = add_both_edges(view, sums, select(a_seen, a, at), select(b_seen, b, at), apex,
-                                select(a_seen || b_seen, Real(1.0), Real(0.0)));
-        }
+        Vec3 from = select(a_seen, a, at);
+        Vec3 to = select(b_seen, b, at);
+        Real seen = select(a_seen || b_seen, Real(1.0), Real(0.0));
+        sums = add_both_edges(view, sums, from, to, inverse_length(from), inverse_length(to), apex,
+                              seen);
         Mask crosses = a_seen != b_seen;
         if (any_lane(crosses)) {
           q = select(crosses && !found, at, q);
           found = found || crosses;
           Real leaves = select(crosses, select(a_seen, Real(1.0), Real(-1.0)), Real(0.0));
-          sums = add_both_edges(view, sums, at, q, apex, leaves);
+          sums = add_both_edges(view, sums, at, q, inverse_length(at), inverse_length(q), apex,
+                                leaves);
         }
-      } else {
-        sums = add_both_edges(view, sums, a, b, apex, Real(1.0));
       }
     }
     a = b;
@@ -66,19 +85,6 @@ FN_CALL ExactPolygonSums sum_exact_edges(Polygon polygon, Surface s, ExactView v
 FN Real exact_part(Surface s, Vec3 p, Real area_height) {
   Real inv_p = inverse_length(p);
   return eval_ggx_terms(s.wo, p * inv_p, s.alpha).scale * (area_height * inv_p) * (inv_p * inv_p);
-}
-
-/// polygon_exactness for GGX itself: how the half vector turns with the direction, and the masking.
-FN Real exact_exactness(Surface s, Vec3 center, Real radius) {
-  Real inv_length = inverse_length(center);
-  Vec3 sum = center * inv_length + s.wo;
-  Real g2 = sum.x * sum.x + sum.y * sum.y + s.alpha * s.alpha * sum.z * sum.z;
-  Real z = max(center.z * inv_length, Real(0.0));
-  Real masking = min(sum.z * sum.z, z * z + s.alpha * s.alpha);
-  Real reach = radius * inv_length * inversesqrt(max(min(Real(0.25) * g2, masking), Real(k_tiny)));
-  Real exact = min(max((reach - Real(k_wholly_small_radius)) * Real(k_inv_small_range), Real(0.0)),
-                   Real(1.0));
-  return select(center.z > radius, exact, Real(1.0));
 }
 
 /// The integral over a polygon as a surface sees it, its specular part that of GGX itself for F = 1.
@@ -93,7 +99,7 @@ FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
   bool cut = triangle_may_cut(s, polygon);
   Vec3 front = front_shading(s);
   Real exact_diffuse = polygon_exactness(center, radius, cosine_lobe());
-  Real exact_specular = exact_exactness(s, center, radius);
+  Real exact_specular = outline_exactness(s, center, radius);
   if (cut) {
     Mask in_front = dot(front, center) > radius;
     exact_diffuse = select(in_front, exact_diffuse, Real(1.0));
@@ -111,7 +117,12 @@ FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
   specular.direction = safe_direction(center);
   Mask lit = side != Real(0.0) && over.high > Real(0.0);
   if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
-    ExactPolygonSums sums = sum_exact_edges(polygon, s, view, h, cut, front);
+    ExactPolygonSums sums;
+    if (cut) {
+      sums = sum_exact_edges_in_front(polygon, s, view, h, front);
+    } else {
+      sums = sum_exact_edges(polygon, s, view, h);
+    }
     diffuse = sums.diffuse * (side * exact_diffuse);
     specular = exact_integral(view, sums.contour, side);
     specular.light = specular.light * exact_specular;
@@ -136,13 +147,8 @@ FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
                                         specular.direction * exact_specular);
   }
 
-  LightIntegral integral;
-  integral.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
-  integral.diffuse_direction = safe_direction(diffuse);
-  Real all = s.fitted.n1 * s.inv_share;
-  integral.specular = select(lit, specular.light / max(all, Real(k_tiny)), Real(0.0));
-  integral.specular_direction = specular.direction;
-  integral.concentration = Real(0.0);
+  specular.light = select(lit, specular.light, Real(0.0));
+  LightIntegral integral = exact_light_integral(s, diffuse, specular);
   if (cut) {
     integral = unless_hidden(s, polygon_heights(polygon, s.position, s.geometric), integral);
   }

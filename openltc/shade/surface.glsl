@@ -35,7 +35,7 @@ struct Surface {
   /// Whether lights take the BRDF's own value in their mean direction: see blended_ratio.
   bool corrected;
   Real max_ratio; ///< most that this may multiply a light by
-  /// Whether the specular part of polygons is GGX itself instead of the lobe: see half_vector.glsl.
+  /// Whether the specular part of lights is GGX itself instead of the lobe: see half_vector.glsl.
   bool exact;
 };
 
@@ -79,8 +79,8 @@ FN Surface correct_at_mean(Surface s) {
   return s;
 }
 
-/// Asks for GGX itself where a light's shape has it, polygons, and for the ratio at the mean direction where
-/// it has not.
+/// Asks for GGX itself where a light's shape has it (polygons, ellipses, spheres), and for the ratio at the mean
+/// direction where it has not.
 FN Surface make_exact(Surface s) {
   s = correct_at_mean(s);
   s.exact = true;
