@@ -83,7 +83,7 @@ void add_sampling(CLI::App& command, RenderArguments& a) {
           "--specular", a.specular,
           "Specular light of area lights by the fitted lobe alone, or times the ratio of the "
           "BRDF to it in the direction of each light: small lights are exact then, and "
-          "mean errors a half; or, but for tubes and lines, by GGX itself: exact, and slower "
+          "mean errors a half; or, but for tubes, by GGX itself: exact, and slower "
           "[lobe]")
       ->transform(one_of(specular))
       ->type_name(words_of(specular));

@@ -79,7 +79,7 @@ FN Surface correct_at_mean(Surface s) {
   return s;
 }
 
-/// Asks for GGX itself where a light's shape has it (polygons, ellipses, spheres), and for the ratio at the mean
+/// Asks for GGX itself where a light's shape has it (all but tubes), and for the ratio at the mean
 /// direction where it has not.
 FN Surface make_exact(Surface s) {
   s = correct_at_mean(s);

@@ -209,6 +209,29 @@ TEST_CASE("exact ellipses, disks and spheres, against points of them") {
   }
 }
 
+TEST_CASE("exact lines, against points of them") {
+  Random random(23);
+  Errors errors;
+  for (int i = 0; i < 300; ++i) {
+    const f64::Surface s =
+        surface(random.uniform(0, 88.0 / 180 * k_pi), random.log_uniform(0.1, 1));
+    const Vec3d center = random.hemisphere() * random.uniform(1, 4);
+    const Vec3d part = random.sphere() * random.log_uniform(0.01, 4);
+    constexpr int n = 20000;
+    double exact = 0;
+    for (int k = 0; k < n; ++k) {
+      const Vec3d p = center + part * (2 * (k + 0.5) / n - 1);
+      const double distance2 = dot(p, p);
+      exact += f64::eval_ggx_terms(s.wo, f64::to_shading(s.frame, normalize(p)), s.alpha).scale *
+               length(cross(p, part)) / (distance2 * std::sqrt(distance2));
+    }
+    const f64::Line line = {center - part, center + part};
+    errors.add(f64::shade_line(s, line).x, exact * 2 / n);
+  }
+  MESSAGE("of the light ", errors.of_light(), ", worst ", errors.worst);
+  CHECK(errors.of_light() < 1e-3);
+}
+
 TEST_CASE(
     "exact polygons: concave ones, holes and islands, cut by both horizons and by a triangle, "
     "against visible normals") {
