@@ -7,8 +7,8 @@
 //
 // In the same run: a quad in the usual scalar formulation, and how many times faster lanes are that
 // return the same, with the albedo of the whole lobe for its reflectance; quads named _fresnel are
-// shaded as the renderer does it. The multiply-adds that this CPU can do, and the fraction of them
-// that a quad needs.
+// shaded as the renderer does it, those named _exact by GGX itself. The multiply-adds that this CPU
+// can do, and the fraction of them that a quad needs.
 
 #include "bench/counted.h"
 #include "bench/fma_peak.h"
@@ -245,12 +245,14 @@ struct Quads {
   Work ratio;   ///< and the BRDF's ratio to the lobe there
   Work two;     ///< by two lobes
   Work two_ratio;
+  Work exact; ///< by GGX itself
 
   Quads(const char* n, const Work& work)
       : name(n), evenly(of_form(work, testing::ShadingForm::even)), fresnel(work),
         ratio(of_form(work, testing::ShadingForm::ratio)),
         two(of_form(work, testing::ShadingForm::two)),
-        two_ratio(of_form(work, testing::ShadingForm::two_ratio)) {}
+        two_ratio(of_form(work, testing::ShadingForm::two_ratio)),
+        exact(of_form(work, testing::ShadingForm::exact)) {}
 };
 
 double mean_operations(const Work& work) {
@@ -318,6 +320,7 @@ int main(int argc, char** argv) {
       add_benchmark(q.name + "_two" + suffix, run_target, std::cref(q.two), target.shade);
       add_benchmark(q.name + "_two_ratio" + suffix, run_target, std::cref(q.two_ratio),
                     target.shade);
+      add_benchmark(q.name + "_exact" + suffix, run_target, std::cref(q.exact), target.shade);
     }
     for (int k = 0; k < testing::k_light_shapes; ++k)
       add_benchmark(testing::shape_name(testing::shape_of_index(k)) + suffix, run_target,

@@ -191,8 +191,8 @@ enum class Integrator { ltc, reference };
 enum class PunctualForm { exact, ltc };
 /// The specular part of area lights: by the fitted lobe alone, or times the BRDF's ratio to it in
 /// each light's mean direction (blended_ratio, shade/surface.glsl), for lobes that were fitted to
-/// GGX.
-enum class SpecularForm { lobe, ratio };
+/// GGX; or GGX itself (shade/half_vector.glsl), and the ratio for tubes.
+enum class SpecularForm { lobe, ratio, exact };
 
 struct KernelContext {
   LobeTableView table;

@@ -50,6 +50,17 @@ FN ConeSums sum_ellipse_cone(Vec3 center, Vec3 u, Vec3 v, Lobe lobe, Vec3 front,
   return sums;
 }
 
+/// 1 where an ellipse, shading space, shines on the point, 0 elsewhere.
+FN Real ellipse_side(Vec3 center, Vec3 u, Vec3 v, Real two_sided) {
+  Vec3 normal = cross(u, v);
+  Real h = dot(center, normal) * inversesqrt(max(dot(normal, normal), Real(k_tiny)));
+  Real side = select(h < Real(0.0), Real(1.0), two_sided);
+  side = select(lies_in_plane(h, center, Real(0.0)), Real(0.0), side);
+  // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
+  Real reach = sqrt(u.z * u.z + v.z * v.z);
+  return select(center.z + reach > Real(0.0), side, Real(0.0));
+}
+
 /// integrate_ellipse; where `cut`, over what is in front of the plane with unit normal `front`
 /// (shading space).
 FN LightIntegral integrate_ellipse_part(Ellipse ellipse, Vec3 position, Frame frame, Lobe lobe,
@@ -59,13 +70,7 @@ FN LightIntegral integrate_ellipse_part(Ellipse ellipse, Vec3 position, Frame fr
   Vec3 u = to_shading(frame, ellipse.half_u);
   Vec3 v = to_shading(frame, ellipse.half_v);
   ConeSums sums = sum_ellipse_cone(center, u, v, lobe, front, cut);
-  Vec3 normal = cross(u, v);
-  Real h = dot(center, normal) * inversesqrt(max(dot(normal, normal), Real(k_tiny)));
-  Real side = select(h < Real(0.0), Real(1.0), ellipse.two_sided);
-  side = select(lies_in_plane(h, center, Real(0.0)), Real(0.0), side);
-  // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
-  Real reach = sqrt(u.z * u.z + v.z * v.z);
-  side = select(center.z + reach > Real(0.0), side, Real(0.0));
+  Real side = ellipse_side(center, u, v, ellipse.two_sided);
   return light_integral(sums.diffuse * side, sums.specular * side, lobe, sums.outline2);
 }
 
@@ -88,6 +93,18 @@ FN Heights ellipse_heights(Ellipse ellipse, Vec3 position, Vec3 normal) {
   return heights;
 }
 
+/// The integral over an ellipse with its specular part exact, but for what replaces its outline by arcs of circles.
+FN_CALL LightIntegral exact_ellipse_integral(Surface s, Ellipse ellipse) {
+  Vec3 center = to_shading(s.frame, ellipse.center - s.position);
+  Vec3 u = to_shading(s.frame, ellipse.half_u);
+  Vec3 v = to_shading(s.frame, ellipse.half_v);
+  LightIntegral integral = exact_cone_integral(s, make_cone(center, u, v), 8);
+  Real side = ellipse_side(center, u, v, ellipse.two_sided);
+  integral.diffuse = integral.diffuse * side;
+  integral.specular = integral.specular * side;
+  return integral;
+}
+
 /// The integral over an ellipse as a surface sees it; see surface_polygon_integral.
 FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
   Heights heights = no_heights();
@@ -96,12 +113,21 @@ FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
     heights = ellipse_heights(ellipse, s.position, s.geometric);
     cut = any_lane(heights.low < Real(0.0));
   }
+  if (s.exact && !cut) {
+    return unless_in_plane(s, ellipse.center, ellipse_normal(ellipse),
+                           exact_ellipse_integral(s, ellipse));
+  }
   LightIntegral integral =
       integrate_ellipse_part(ellipse, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
   if (s.two) {
     integral = with_second_lobe(
         s, integral,
         integrate_ellipse_part(ellipse, s.position, s.frame, s.second, front_shading(s), cut));
+  }
+  if (s.exact) {
+    // What a triangle cuts keeps the lobe.
+    integral =
+        select_integral(heights.low < Real(0.0), integral, exact_ellipse_integral(s, ellipse));
   }
   if (cut) {
     integral = unless_hidden(s, heights, integral);

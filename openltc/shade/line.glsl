@@ -180,6 +180,84 @@ FN_CALL SegmentRatio segment_ratio(Surface s, Lobe lobe, Vec3 a, Vec3 b, Real w)
   return mean;
 }
 
+/// The part of a line that a surface sees: above its horizon and in front of its triangle;
+/// where nothing is, a point.
+FN Line line_seen(Surface s, Line line) {
+  bool below = any_lane(line_heights(line, s.position, s.frame.n).low < Real(0.0));
+  bool behind = s.tilted && any_lane(line_heights(line, s.position, s.geometric).low < Real(0.0));
+  if (!below && !behind) {
+    return line;
+  }
+  FrontSegment part = segment_in_front(line.from - s.position, line.to - s.position, s.frame.n);
+  if (behind) {
+    part = segment_in_front(part.a, part.b, s.geometric);
+  }
+  Line seen;
+  seen.from = s.position + part.a;
+  seen.to = s.position + part.b;
+  return seen;
+}
+
+/// Parts into which exact_line divides a line, each of four nodes of Gauss.
+const int k_line_parts = 3;
+
+/// One node of exact_line at `x` metres along t from the foot of the perpendicular, of weight w.
+FN GgxTerms add_line_node(Surface s, GgxTerms sum, Vec3 foot, Vec3 t, Real d, Real x, Real w) {
+  Vec3 p = foot + t * x;
+  Real inv_r = inversesqrt(max(dot(p, p), Real(k_tiny)));
+  GgxTerms terms = eval_ggx_terms(s.wo, p * inv_r, s.alpha);
+  Real weight = w * d * inv_r * (inv_r * inv_r);
+  sum.scale = sum.scale + terms.scale * weight;
+  sum.bias = sum.bias + terms.bias * weight;
+  return sum;
+}
+
+/// GGX itself over a line, per metre of its width: f0 scale + (f90 - f0) bias. A line has no outline; it is
+/// summed by nodes that are even in the angle at which g of half_vector.glsl would pass it, were the line's
+/// directions the linear ones around the mirror direction.
+FN_CALL GgxTerms exact_line(Surface s, Line line) {
+  Vec3 a = to_shading(s.frame, line.from - s.position);
+  Vec3 b = to_shading(s.frame, line.to - s.position);
+  Vec3 axis = b - a;
+  Real length2 = dot(axis, axis);
+  Vec3 t = axis * inversesqrt(max(length2, Real(k_tiny)));
+  Real from = dot(a, t);
+  Real to = dot(b, t);
+  Vec3 foot = a - t * from;
+  Real d = sqrt(max(dot(foot, foot), Real(1.0e-12) * (dot(a, a) + dot(b, b)) + Real(k_tiny)));
+  // B (p + (p.mirror) wo) = l0 + l1 x.
+  Vec3 mirror = Vec3(-s.wo.x, Real(0.0), s.wo.z);
+  Vec3 l0 = foot + s.wo * dot(foot, mirror);
+  Vec3 l1 = t + s.wo * dot(t, mirror);
+  l0.z = l0.z * s.alpha;
+  l1.z = l1.z * s.alpha;
+  Vec3 across = cross(l0, l1);
+  Real inv_l1 = inversesqrt(max(dot(l1, l1), Real(k_tiny)));
+  Real nearest = -dot(l0, l1) * (inv_l1 * inv_l1);
+  Real width = max(sqrt(dot(across, across)) * (inv_l1 * inv_l1), Real(1.0e-6) * d);
+  Real start = angle_of(width, from - nearest);
+  Real part = (angle_of(width, to - nearest) - start) * Real(1.0 / float(k_line_parts));
+  GgxTerms sum;
+  sum.scale = Real(0.0);
+  sum.bias = Real(0.0);
+  for (int i = 0; i < k_line_parts; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      bool outer = k == 0 || k == 3;
+      Real place = Real(k < 2 ? -0.5 : 0.5) * Real(outer ? 0.8611363115940526 : 0.3399810435848563);
+      Real angle = start + part * (Real(float(i)) + Real(0.5) + place);
+      Real c = max(cos(angle), Real(1.0e-6));
+      Real tangent = sin(angle) / c;
+      Real weight =
+          Real(outer ? 0.17392742256872693 : 0.32607257743127307) * part * width / (c * c);
+      sum = add_line_node(s, sum, foot, t, d, nearest + width * tangent, weight);
+    }
+  }
+  Mask some = length2 > Real(k_tiny);
+  sum.scale = select(some, sum.scale, Real(0.0));
+  sum.bias = select(some, sum.bias, Real(0.0));
+  return sum;
+}
+
 /// Specular light of a line from a to b, shading space, of which the lobes have these shares. Each lobe is
 /// divided by itself, against the density of both: the balance heuristic of importance sampling.
 FN Vec3 segment_reflectance(Surface s, Vec3 a, Vec3 b, Real first, Real second) {
@@ -200,7 +278,10 @@ FN ShadedLight shade_line_integral(Surface s, Line line, LightIntegral integral)
   Real second = s.second_inv_share * integral.second;
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
-  if (s.corrected) {
+  if (s.exact) {
+    GgxTerms terms = exact_line(s, line_seen(s, line));
+    shaded.specular = s.f0 * terms.scale + (s.f90 - s.f0) * terms.bias;
+  } else if (s.corrected) {
     shaded.specular = segment_reflectance(s, to_shading(s.frame, line.from - s.position),
                                           to_shading(s.frame, line.to - s.position), first, second);
   } else {
@@ -217,24 +298,6 @@ FN ShadedLight shade_line_parts(Surface s, Line line) {
 
 /// Light that a surface reflects of it, for radiance 1 and without shadow: shade_line_parts, both together.
 FN Vec3 shade_line(Surface s, Line line) { return both_parts(shade_line_parts(s, line)); }
-
-/// The part of a line that a surface sees, for sampling: above its horizon and in front of its triangle;
-/// where nothing is, a point.
-FN Line line_seen(Surface s, Line line) {
-  bool below = any_lane(line_heights(line, s.position, s.frame.n).low < Real(0.0));
-  bool behind = s.tilted && any_lane(line_heights(line, s.position, s.geometric).low < Real(0.0));
-  if (!below && !behind) {
-    return line;
-  }
-  FrontSegment part = segment_in_front(line.from - s.position, line.to - s.position, s.frame.n);
-  if (behind) {
-    part = segment_in_front(part.a, part.b, s.geometric);
-  }
-  Line seen;
-  seen.from = s.position + part.a;
-  seen.to = s.position + part.b;
-  return seen;
-}
 
 /// A point of the line, evenly distributed over the angle that it spans at `position`, from a number
 /// in [0, 1) (equi-angular sampling: Kulla and Fajardo 2012, "Importance Sampling Techniques for Path

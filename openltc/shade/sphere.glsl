@@ -55,6 +55,21 @@ FN Heights sphere_heights(Sphere sphere, Vec3 position, Vec3 normal) {
   return heights;
 }
 
+/// The integral over a sphere with its specular part exact.
+FN_CALL LightIntegral exact_sphere_integral(Surface s, Sphere sphere) {
+  Vec3 center = to_shading(s.frame, sphere.center - s.position);
+  Real distance2 = dot(center, center);
+  Vec3 axis = center * inversesqrt(max(distance2, Real(k_tiny)));
+  Real radius = tangent_disk_radius(distance2, sphere.radius);
+  Vec3 u = any_perpendicular(axis);
+  Vec3 v = cross(axis, u) * radius;
+  LightIntegral integral = exact_cone_integral(s, make_cone(center, u * radius, v), 6);
+  Mask seen = distance2 > sphere.radius * sphere.radius && center.z + sphere.radius > Real(0.0);
+  integral.diffuse = select(seen, integral.diffuse, Real(0.0));
+  integral.specular = select(seen, integral.specular, Real(0.0));
+  return integral;
+}
+
 /// The integral over a sphere as a surface sees it; see surface_polygon_integral.
 FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
   Heights heights = no_heights();
@@ -63,12 +78,19 @@ FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
     heights = sphere_heights(sphere, s.position, s.geometric);
     cut = any_lane(heights.low < Real(0.0));
   }
+  if (s.exact && !cut) {
+    return exact_sphere_integral(s, sphere);
+  }
   LightIntegral integral =
       integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe, front_shading(s), cut);
   if (s.two) {
     integral = with_second_lobe(
         s, integral,
         integrate_sphere_part(sphere, s.position, s.frame, s.second, front_shading(s), cut));
+  }
+  if (s.exact) {
+    // What a triangle cuts keeps the lobe.
+    integral = select_integral(heights.low < Real(0.0), integral, exact_sphere_integral(s, sphere));
   }
   if (cut) {
     return unless_hidden(s, heights, integral);

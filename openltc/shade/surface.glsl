@@ -40,6 +40,8 @@ struct Surface {
   /// Whether lights take the BRDF's own value in their mean direction: see blended_ratio.
   bool corrected;
   Real max_ratio; ///< most that this may multiply a light by
+  /// Whether the specular part of lights is GGX itself instead of the lobe: see half_vector.glsl.
+  bool exact;
 };
 
 /// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
@@ -75,6 +77,7 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
   s.tilted = false;
   s.corrected = false;
   s.max_ratio = Real(1.0);
+  s.exact = false;
   return s;
 }
 
@@ -132,6 +135,14 @@ FN LightIntegral with_second_lobe(Surface s, LightIntegral first, LightIntegral 
 FN Surface correct_at_mean(Surface s) {
   s.corrected = true;
   s.max_ratio = Real(k_max_ratio);
+  return s;
+}
+
+/// Asks for GGX itself where a light's shape has it (all but tubes), and for the ratio at the mean
+/// direction where it has not.
+FN Surface make_exact(Surface s) {
+  s = correct_at_mean(s);
+  s.exact = true;
   return s;
 }
 

@@ -82,7 +82,7 @@ const char* complaint(LightShape shape, const LightAnswers& a, int i) {
 struct Evaluated {
   static constexpr testing::ShadingForm k_forms[] = {
       testing::ShadingForm::lobe, testing::ShadingForm::ratio, testing::ShadingForm::two,
-      testing::ShadingForm::two_ratio};
+      testing::ShadingForm::two_ratio, testing::ShadingForm::exact};
   LightAnswers integrals, rendered[std::size(k_forms)];
 
   Evaluated(const LightTarget& target, LightBatch batch) {

@@ -1,0 +1,406 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The two integrals of half_vector.glsl and masking_ring.glsl along the outline of a light: edges of polygons and
+// arcs of circles, by nodes of Gauss, five in either half and three on the whole.
+//
+// Scaled so that both ends have |g| = 1, a conic's parameter runs evenly along its arc as far as it can. Divided
+// where g is at equal angles from both ends, a root of a quadratic, and scaled again, each half is
+// so smooth that a few nodes do.
+
+/// 1 / |g|^2 at the place t of an arc, g = (k2 t + k1) t + k0, times a weight.
+FN Real visible_weight(Vec3 k0, Vec3 k1, Vec3 k2, Real t, Real w) {
+  Vec3 g = k0 + (k1 + k2 * t) * t;
+  return w * reciprocal(max(dot(g, g), Real(k_tiny)));
+}
+
+/// The contour integral of g x dg / |g|^2 along an arc, by five nodes of Gauss: g x dg is of degree 2 as g is.
+FN Vec3 visible_part(Vec3 a, Vec3 m, Vec3 b) {
+  Vec3 am = m - a;
+  Vec3 mb = b - m;
+  Vec3 k1 = am * Real(2.0);
+  Vec3 k2 = mb - am;
+  Real w0 = visible_weight(a, k1, k2, Real(0.04691007703066802), Real(0.23692688505618908));
+  Real w1 = visible_weight(a, k1, k2, Real(0.23076534494715845), Real(0.47862867049936647));
+  Real w2 = visible_weight(a, k1, k2, Real(0.5), Real(0.56888888888888889));
+  Real w3 = visible_weight(a, k1, k2, Real(0.7692346550528415), Real(0.47862867049936647));
+  Real w4 = visible_weight(a, k1, k2, Real(0.9530899229693319), Real(0.23692688505618908));
+  // Of u^2, u t and t^2, u = 1 - t.
+  Real middle = w2 * Real(0.25);
+  Real uu = w0 * Real(0.9083804012656871) + w1 * Real(0.591721954534264) + middle +
+            w3 * Real(0.05325264442858103) + w4 * Real(0.002200555327023207);
+  Real tt = w0 * Real(0.002200555327023207) + w1 * Real(0.05325264442858103) + middle +
+            w3 * Real(0.591721954534264) + w4 * Real(0.9083804012656871);
+  Real ut = (w0 + w4) * Real(0.04470952170364481) + (w1 + w3) * Real(0.1775127005185774) + middle;
+  return cross(a, am) * uu + cross(a, b - a) * ut + cross(m, mb) * tt;
+}
+
+/// Whether an edge passes the azimuth opposite of that at which rings begin. Its rings go on beyond it, so that
+/// they have no step on the way: the step is at its higher end.
+struct EdgePass {
+  Real negative; ///< whole rings that count for nodes at negative azimuths
+  Real positive; ///< and for those at positive ones
+  bool some;     ///< whether any lane's edge passes it
+};
+
+/// An arc as a polynomial in its parameter.
+struct ConicTerms {
+  Vec3 r0; ///< direction, see ConicPoint: r0 + r1 t + r2 t^2
+  Vec3 r1; ///< of t
+  Vec3 r2; ///< of t^2
+  Real l0; ///< its length, likewise
+  Real l1; ///< of t
+  Real l2; ///< of t^2
+};
+
+/// Rings at the node t of an edge, of weight w.
+FN ContourSums add_ring_node(ExactView view, ContourSums sums, EdgePass pass, ConicTerms arc,
+                             Real t, Real w) {
+  Vec3 r_slope = arc.r1 + arc.r2 * t;
+  Real l_slope = arc.l1 + arc.l2 * t;
+  Vec3 r = arc.r0 + r_slope * t;
+  Real inv_l = reciprocal(max(arc.l0 + l_slope * t, Real(k_tiny)));
+  Real scale = w * inv_l;
+  Vec3 dr = (r_slope + arc.r2 * t) * scale;
+  Real z = min(max(r.z * inv_l, Real(0.0)), Real(1.0));
+  Real dz = dr.z - z * ((l_slope + arc.l2 * t) * scale);
+  Real r2 = r.x * r.x + r.y * r.y;
+  Real inv_r = inversesqrt(max(r2, Real(k_tiny)));
+  Ring ring = ring_at(view, z, min(r2 * inv_r * inv_l, Real(1.0)));
+  RingPart part = ring_part(view, ring, r.x * inv_r, r.y * inv_r);
+  Real integral = ring_integral(view, ring, part);
+  if (pass.some) {
+    Real turns = select(r.y < Real(0.0), pass.negative, pass.positive);
+    integral = integral + turns * whole_ring(view, ring);
+    part.angle = part.angle + turns * (Real(2.0) * k_pi);
+  }
+  Real more = integral * (masking_of_height(view, z) - view.masking);
+  sums.masked = sums.masked - (more - view.more_at_normal * part.angle) * dz;
+  sums.solid = sums.solid - (r.x * dr.y - r.y * dr.x) * (inv_l * reciprocal(Real(1.0) + z));
+  return sums;
+}
+
+/// The arc of a, m and b as a polynomial.
+FN ConicTerms conic_terms(ConicPoint a, ConicPoint m, ConicPoint b) {
+  ConicTerms arc;
+  Vec3 r_before = m.r - a.r;
+  Real l_before = m.l - a.l;
+  arc.r0 = a.r;
+  arc.r1 = r_before * Real(2.0);
+  arc.r2 = b.r - m.r - r_before;
+  arc.l0 = a.l;
+  arc.l1 = l_before * Real(2.0);
+  arc.l2 = b.l - m.l - l_before;
+  return arc;
+}
+
+/// Rings along an arc, times `sign`: three nodes of Gauss.
+FN ContourSums add_rings(ExactView view, ContourSums sums, EdgePass pass, ConicTerms arc,
+                         Real sign) {
+  Real outer = sign * Real(0.2777777777777778);
+  sums = add_ring_node(view, sums, pass, arc, Real(0.1127016653792583), outer);
+  sums = add_ring_node(view, sums, pass, arc, Real(0.5), sign * Real(0.4444444444444444));
+  return add_ring_node(view, sums, pass, arc, Real(0.8872983346207417), outer);
+}
+
+/// An arc of a conic in two parts, in g.
+struct ArcHalves {
+  Vec3 before; ///< the first one's control point
+  Vec3 middle; ///< where the second begins, |g| = 1
+  Vec3 after;  ///< its control point
+  Real t;      ///< where on the arc the second begins
+  Real inv_g;  ///< 1 / |g| there, by which it was scaled
+  Real root;   ///< its root, by which the control points were
+};
+
+/// The arc of p, m, q, with |g| = 1 at its ends, divided where g is at equal angles from both of them; so are
+/// the parts. (p - q).g = 0 is quadratic.
+FN ArcHalves halves_of(Vec3 p, Vec3 m, Vec3 q) {
+  Vec3 d = p - q;
+  Real turn = Real(0.5) * dot(d, d) + Real(1.0e-14);
+  Real lean = dot(d, m);
+  Real length2 = lean * lean + turn * turn;
+  Real longer = abs(lean) + length2 * inversesqrt(length2);
+  Real ratio = select(lean < Real(0.0), turn * turn * reciprocal(longer), longer);
+  ArcHalves halves;
+  halves.t = ratio * reciprocal(ratio + turn);
+  Real u = Real(1.0) - halves.t;
+  Vec3 before = p * u + m * halves.t;
+  Vec3 after = m * u + q * halves.t;
+  Vec3 middle = before * u + after * halves.t;
+  halves.inv_g = inversesqrt(max(dot(middle, middle), Real(k_tiny)));
+  halves.root = halves.inv_g * inversesqrt(halves.inv_g);
+  halves.middle = middle * halves.inv_g;
+  halves.before = before * halves.root;
+  halves.after = after * halves.root;
+  return halves;
+}
+
+/// Rings along the halves of the arc of p, m, q, times `sign`.
+FN_CALL ContourSums add_rings_of_halves(ExactView view, ContourSums sums, EdgePass pass,
+                                        ConicPoint p, ConicPoint m, ConicPoint q, ArcHalves halves,
+                                        Real sign) {
+  ConicPoint before = mix_points(p, m, halves.t);
+  ConicPoint after = mix_points(m, q, halves.t);
+  ConicPoint middle = scale_point(mix_points(before, after, halves.t), halves.inv_g);
+  before = scale_point(before, halves.root);
+  after = scale_point(after, halves.root);
+  sums = add_rings(view, sums, pass, conic_terms(p, before, middle), sign);
+  return add_rings(view, sums, pass, conic_terms(middle, after, q), sign);
+}
+
+/// Cosine of the angle in g between the ends of half an edge from which on it is divided once more.
+CONSTANT k_wide_arc_cos = 0.3;
+
+/// Visible normals along the two halves of an arc.
+FN_CALL Vec3 visible_halves(Vec3 a, Vec3 m, Vec3 b) {
+  ArcHalves halves = halves_of(a, m, b);
+  return visible_part(a, halves.before, halves.middle) +
+         visible_part(halves.middle, halves.after, b);
+}
+
+/// Visible normals along half of an arc, itself in two halves where it is wide.
+FN Vec3 visible_half(Vec3 a, Vec3 m, Vec3 b) {
+  Vec3 whole = visible_part(a, m, b);
+  Mask wide = dot(a, b) < Real(k_wide_arc_cos);
+  // Uniform shortcut: no lane's is.
+  if (any_lane(wide)) {
+    whole = select(wide, visible_halves(a, m, b), whole);
+  }
+  return whole;
+}
+
+/// The arc of p, m, q, points of unit directions above the horizon and the control point between, times `sign`.
+FN_CALL ContourSums add_arc(ExactView view, ContourSums sums, ConicPoint p, ConicPoint m,
+                            ConicPoint q, Real sign) {
+  EdgePass pass;
+  pass.negative = Real(0.0);
+  pass.positive = Real(0.0);
+  Mask begins_behind = p.r.y < Real(0.0);
+  Mask ends_behind = q.r.y < Real(0.0);
+  pass.some = any_lane(begins_behind != ends_behind);
+  if (pass.some) {
+    Real x = p.r.x + (q.r.x - p.r.x) * crossing_place(p.r.y, q.r.y);
+    Mask passes = begins_behind != ends_behind && x < Real(0.0);
+    pass.some = any_lane(passes);
+    if (pass.some) {
+      Real way = select(passes, select(ends_behind, Real(-1.0), Real(1.0)), Real(0.0));
+      Mask behind_is_higher = select(ends_behind, q.r.z - p.r.z, p.r.z - q.r.z) > Real(0.0);
+      pass.negative = select(behind_is_higher, abs(way), Real(0.0));
+      pass.positive = select(behind_is_higher, Real(0.0), -abs(way));
+      sums = add_cap(view, sums, min(max(max(p.r.z, q.r.z), Real(0.0)), Real(1.0)), way * sign);
+    }
+  }
+  Mask wide = dot(p.r, q.r) < Real(0.0);
+  Real inv_p = inversesqrt(max(dot(p.g, p.g), Real(k_tiny)));
+  Real inv_q = inversesqrt(max(dot(q.g, q.g), Real(k_tiny)));
+  p = scale_point(p, inv_p);
+  q = scale_point(q, inv_q);
+  Real inv_both = inv_p * inv_q;
+  m = scale_point(m, inv_both * inversesqrt(inv_both));
+  ArcHalves halves = halves_of(p.g, m.g, q.g);
+  sums.visible = sums.visible + (visible_half(p.g, halves.before, halves.middle) +
+                                 visible_half(halves.middle, halves.after, q.g)) *
+                                    sign;
+  // Uniform shortcut: no lane's arc spans more than a right angle.
+  if (!any_lane(wide)) {
+    return add_rings(view, sums, pass, conic_terms(p, m, q), sign);
+  }
+  ContourSums parts = add_rings_of_halves(view, sums, pass, p, m, q, halves, sign);
+  if (all_lanes(wide)) {
+    return parts;
+  }
+  sums = add_rings(view, sums, pass, conic_terms(p, m, q), sign);
+  sums.masked = select(wide, parts.masked, sums.masked);
+  sums.solid = select(wide, parts.solid, sums.solid);
+  return sums;
+}
+
+/// The edge from a to b, unit vectors above the horizon, times `sign`.
+FN ContourSums add_whole_edge(ExactView view, ContourSums sums, Vec3 a, Vec3 b, Real sign) {
+  Vec3 sum = a + b;
+  Real sum2 = max(dot(sum, sum), Real(k_tiny));
+  Real inv_sum = inversesqrt(sum2);
+  ConicPoint m = conic_point(view, sum * inv_sum, Real(0.5) * sum2 * inv_sum);
+  return add_arc(view, sums, conic_point(view, a, Real(1.0)), m, conic_point(view, b, Real(1.0)),
+                 sign);
+}
+
+/// Sine of a height that counts as none, so that edges along the horizon are its arcs, which are exact.
+CONSTANT k_in_horizon = 1.0e-6;
+
+/// The edge from a to b, unit vectors, as far as it is above the horizon, times `sign`; where it was cut, closed
+/// by an arc of the horizon to the azimuth at which rings begin.
+FN ContourSums add_edge(ExactView view, ContourSums sums, Vec3 a, Vec3 b, Real sign) {
+  Mask a_up = a.z > Real(k_in_horizon);
+  Mask b_up = b.z > Real(k_in_horizon);
+  // Uniform shortcuts: no lane has anything left, or needs to clip.
+  if (!any_lane(a_up || b_up)) {
+    return sums;
+  }
+  if (all_lanes(a_up && b_up)) {
+    return add_whole_edge(view, sums, a, b, sign);
+  }
+  Real t = crossing_place(a.z, b.z);
+  Vec3 cut = Vec3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, Real(0.0));
+  cut = cut * inverse_length(cut);
+  Real leaves =
+      select(a_up, select(b_up, Real(0.0), Real(-1.0)), select(b_up, Real(1.0), Real(0.0)));
+  sums = add_horizon_arc(view, sums, conic_point(view, cut, Real(1.0)), leaves * sign);
+  return add_whole_edge(view, sums, select(a_up, a, cut), select(b_up, b, cut),
+                        select(a_up || b_up, sign, Real(0.0)));
+}
+
+/// The light of the outline and where it comes from.
+struct ExactIntegral {
+  Real light;     ///< integral of f_s cos_i for F = 1
+  Vec3 direction; ///< its mean direction, shading space, unit
+};
+
+/// From the sums along an outline that runs counter-clockwise for side = 1, clockwise for -1.
+FN ExactIntegral exact_integral(ExactView view, ContourSums sums, Real side) {
+  Vec3 v = sums.visible * side;
+  Real visible = max(view.alpha * view.sin_o * v.x + view.cos_o * v.z, Real(0.0));
+  // B^-1 V, times alpha.
+  Vec3 h = safe_direction(Vec3(view.alpha * v.x, view.alpha * v.y, v.z));
+  Real o_h = h.x * view.sin_o + h.z * view.cos_o;
+  h = select(o_h < Real(0.0), -h, h);
+  Vec3 wo = Vec3(view.sin_o, Real(0.0), view.cos_o);
+  ExactIntegral result;
+  result.direction = safe_direction(h * (Real(2.0) * abs(o_h)) - wo);
+  Real rest = (sums.masked + view.more_at_normal * sums.solid) * side;
+  result.light = max((Real(2.0) * view.masking * visible + rest) * k_inv_pi, Real(0.0));
+  return result;
+}
+
+/// Angular radius, of half vectors and of what masking sees, below which a light is four points of it,
+CONSTANT k_four_points_radius = 0.03;
+/// and 1 over what lies between that and where it is its outline.
+CONSTANT k_inv_four_points_range = 50.0;
+
+/// How much of the integral along its outline a light wants, 0 to 1, of that centre, shading space, and radius:
+/// see polygon_exactness.
+FN Real outline_exactness(Surface s, Vec3 center, Real radius) {
+  Real inv_length = inverse_length(center);
+  Vec3 sum = center * inv_length + s.wo;
+  Real g2 = sum.x * sum.x + sum.y * sum.y + s.alpha * s.alpha * sum.z * sum.z;
+  Real z = max(center.z * inv_length, Real(0.0));
+  Real masking = min(sum.z * sum.z, z * z + s.alpha * s.alpha);
+  Real reach = radius * inv_length * inversesqrt(max(min(Real(0.25) * g2, masking), Real(k_tiny)));
+  Real exact =
+      min(max((reach - Real(k_four_points_radius)) * Real(k_inv_four_points_range), Real(0.0)),
+          Real(1.0));
+  return select(center.z > radius, exact, Real(1.0));
+}
+
+/// From the diffuse vector irradiance times 2 pi and the exact specular light.
+FN LightIntegral exact_light_integral(Surface s, Vec3 diffuse, ExactIntegral specular) {
+  LightIntegral integral;
+  integral.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
+  integral.diffuse_direction = safe_direction(diffuse);
+  integral.specular = specular.light / max(s.fitted.n1 * s.inv_share, Real(k_tiny));
+  integral.specular_direction = specular.direction;
+  integral.concentration = Real(0.0); // nothing to correct: see ratio_weight
+  return integral;
+}
+
+/// a where the mask is set, b elsewhere.
+FN LightIntegral select_integral(Mask m, LightIntegral a, LightIntegral b) {
+  LightIntegral integral;
+  integral.diffuse = select(m, a.diffuse, b.diffuse);
+  integral.specular = select(m, a.specular, b.specular);
+  integral.diffuse_direction = select(m, a.diffuse_direction, b.diffuse_direction);
+  integral.specular_direction = select(m, a.specular_direction, b.specular_direction);
+  integral.concentration = select(m, a.concentration, b.concentration);
+  return integral;
+}
+
+/// Unit vector of a cone's outline, from the cosine and sine of its parameter; see cone.glsl.
+FN Vec3 cone_direction(Cone cone, Real c, Real s) {
+  Real n2 = cone.c1 * cone.c1 * c * c + cone.c2 * cone.c2 * s * s;
+  return cone.e1 * (cone.k1 * c) + cone.e2 * (cone.k2 * s) + cone.e3 * sqrt(n2);
+}
+
+/// The arc of the circle through the unit vectors a, c and b, c in its middle. It is a rational curve of degree 2,
+/// as an edge is.
+FN ContourSums add_circle_arc(ExactView view, ContourSums sums, Vec3 a, Vec3 c, Vec3 b, Real sign) {
+  Vec3 ac = c - a;
+  Vec3 cb = b - c;
+  Vec3 ab = b - a;
+  Real halves = dot(ac, ac) + dot(cb, cb);
+  Real scale = select(halves > Real(1.0e-12), Real(2.0) * dot(ab, ab) / max(halves, Real(1.0e-12)),
+                      Real(4.0));
+  ConicPoint m = conic_point(view, (c * scale - a - b) * Real(0.5), Real(0.5) * scale - Real(1.0));
+  return add_arc(view, sums, conic_point(view, a, Real(1.0)), m, conic_point(view, b, Real(1.0)),
+                 sign);
+}
+
+/// The light of a cone of directions in that many arcs of circles, which a round one is made of.
+FN_CALL ExactIntegral exact_cone(Surface s, Cone cone, int arcs) {
+  Arc above = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
+  Mask whole = above.extent > Real(k_full_turn);
+  Real start = select(whole, Real(0.0), above.start);
+  Real extent = select(whole, Real(2.0) * k_pi, max(above.extent, Real(0.0)));
+  Real c = cos(start);
+  Real n = sin(start);
+  Real step = extent * Real(0.5 / float(arcs));
+  Real step_c = cos(step);
+  Real step_n = sin(step);
+  Vec3 first = cone_direction(cone, c, n);
+  Vec3 last = cone_direction(cone, cos(start + extent), sin(start + extent));
+  // On the horizon, where it cuts.
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 first_cut = Vec3(first.x, first.y, Real(0.0));
+  Vec3 last_cut = Vec3(last.x, last.y, Real(0.0));
+  first = select(whole, first, first_cut * inverse_length(first_cut));
+  last = select(whole, first, last_cut * inverse_length(last_cut));
+  ExactView view = exact_view(s.wo, s.alpha, select(whole, cone.e3, first + last));
+  ContourSums sums = no_contour();
+  Vec3 a = first;
+  for (int i = 1; i <= arcs; ++i) {
+    Real next_c = c * step_c - n * step_n;
+    n = n * step_c + c * step_n;
+    c = next_c;
+    Vec3 middle = cone_direction(cone, c, n);
+    next_c = c * step_c - n * step_n;
+    n = n * step_c + c * step_n;
+    c = next_c;
+    Vec3 b = last;
+    if (i < arcs) {
+      b = cone_direction(cone, c, n);
+    }
+    sums = add_circle_arc(view, sums, a, middle, b, Real(1.0));
+    a = b;
+  }
+  if (any_lane(!whole)) {
+    Real cut = select(whole, Real(0.0), Real(1.0));
+    sums = add_horizon_arc(view, sums, conic_point(view, first, Real(1.0)), cut);
+    sums = add_horizon_arc(view, sums, conic_point(view, last, Real(1.0)), -cut);
+  }
+  ExactIntegral result = exact_integral(view, sums, Real(1.0));
+  result.light = select(whole || above.extent > Real(0.0), result.light, Real(0.0));
+
+  Real exact = outline_exactness(s, cone.e3, cone.k1);
+  // Uniform shortcut: no lane's cone is small.
+  if (any_lane(exact < Real(1.0))) {
+    Real k2 = cone.k1 * cone.k1 + cone.k2 * cone.k2;
+    Real quarter = Real(0.25) * k_pi * cone.k1 * cone.k2 * (Real(1.0) + Real(0.125) * k2);
+    Vec3 u = cone.e1 * (cone.k1 * Real(0.7071067811865476));
+    Vec3 v = cone.e2 * (cone.k2 * Real(0.7071067811865476));
+    Real parts = eval_ggx_terms(s.wo, normalize(cone.e3 + u), s.alpha).scale +
+                 eval_ggx_terms(s.wo, normalize(cone.e3 - u), s.alpha).scale +
+                 eval_ggx_terms(s.wo, normalize(cone.e3 + v), s.alpha).scale +
+                 eval_ggx_terms(s.wo, normalize(cone.e3 - v), s.alpha).scale;
+    result.light = result.light * exact +
+                   select(exact < Real(1.0), parts * quarter * (Real(1.0) - exact), Real(0.0));
+    result.direction = safe_direction(cone.e3 * (Real(1.0) - exact) + result.direction * exact);
+  }
+  return result;
+}
+
+/// The integrals over a cone of directions, its specular part that of GGX itself for F = 1.
+FN LightIntegral exact_cone_integral(Surface s, Cone cone, int arcs) {
+  Vec3 diffuse = clipped_cone(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
+  ExactIntegral specular = exact_cone(s, cone, arcs);
+  return exact_light_integral(s, diffuse, specular);
+}

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// GGX along rings of one height z around the normal: where the masking of wi is the same everywhere.
+//
+// Source: derived in docs/method.md, section 11.
+//
+// At a height z and an azimuth phi from the mirror's, with c = |wo + wi|^2 and u = cos_o + z,
+//   D = alpha^2 / pi (c / e)^2,   e = c - (1 - alpha^2) u^2 = A - b cos phi,
+//   A = sin_o^2 + sin_i^2 + alpha^2 u^2,   b = 2 sin_o sin_i,
+// whose integral over phi is elementary. f_s cos_i = W(z) D with W = G2 / (4 cos_o) of Smith, so that
+//   integral over a light = contour integral of -W(z) Psi(z, phi) dz,   Psi = integral of D from some phi0 to phi.
+// An arc along the horizon has no dz and counts nothing. Where a light encloses the normal, what is between the
+// outline and the normal at the azimuth opposite of phi0 has to be added. Counted is what W(z) has more than W in
+// the mirror direction, whose part the visible normals have. Near the normal azimuths turn fast: D there times
+// that is taken out of the rings, and added as so much per solid angle.
+
+/// W(z) = f_s cos_i / D of Smith's height-correlated masking.
+FN Real masking_of_height(ExactView view, Real z) {
+  Real root2 = z * z * (Real(1.0) - view.alpha2) + view.alpha2;
+  Real root = root2 * inversesqrt(root2);
+  return Real(0.5) * z * reciprocal(max(z * view.root_o + view.cos_o * root, Real(k_tiny)));
+}
+
+/// The coefficients of e on a ring.
+struct Ring {
+  Real mean;    ///< A
+  Real less;    ///< A - b
+  Real more;    ///< A + b
+  Real product; ///< A^2 - b^2
+  Real k;       ///< (1 - alpha^2) u^2
+};
+
+/// The ring at height z, where the sine is sin_i. Nothing cancels:
+///   A^2 - b^2 = u^2 ((z - cos_o)^2 + 2 alpha^2 (sin_o^2 + sin_i^2) + alpha^4 u^2).
+FN Ring ring_at(ExactView view, Real z, Real sin_i) {
+  Real u = view.cos_o + z;
+  Real u2 = u * u;
+  Real sin2 = view.sin_o * view.sin_o + sin_i * sin_i;
+  Real d = z - view.cos_o;
+  Real both = view.sin_o + sin_i;
+  Ring ring;
+  ring.mean = sin2 + view.alpha2 * u2;
+  ring.more = both * both + view.alpha2 * u2;
+  ring.product = u2 * (d * d + view.alpha2 * (Real(2.0) * sin2 + view.alpha2 * u2));
+  ring.less = ring.product * reciprocal(ring.more);
+  ring.k = (Real(1.0) - view.alpha2) * u2;
+  return ring;
+}
+
+/// From the azimuth at which rings begin to another.
+struct RingPart {
+  Real angle;    ///< between the two
+  Real inverse;  ///< integral of 1 / e over it
+  Real end;      ///< e at its end
+  Real begin;    ///< and at its beginning
+  Real turned;   ///< sine at the end times e at the beginning less the reverse, over b
+  Real inv_root; ///< 1 / sqrt(A^2 - b^2)
+  HalfTurn turn; ///< half of the angle
+  HalfTurn at;   ///< half of the azimuth of its end, from the mirror's
+};
+
+/// Angle of (x, y) from the x axis, -pi..pi, to 3e-7.
+FN Real ring_angle(Real x, Real y) {
+  Real ax = abs(x);
+  Real ay = abs(y);
+  Real larger = max(ax, ay);
+  Real angle = atan_unit(min(ax, ay) * reciprocal(max(larger, Real(k_tiny))));
+  angle = select(ay > ax, Real(0.5) * k_pi - angle, angle);
+  angle = select(x < Real(0.0), k_pi - angle, angle);
+  return select(y < Real(0.0), -angle, angle);
+}
+
+/// (x, y): the azimuth of the end, from the axis at which rings begin, unit.
+FN RingPart ring_part(ExactView view, Ring ring, Real x, Real y) {
+  RingPart part;
+  part.turn = half_turn(x, y);
+  part.angle = Real(2.0) * ring_angle(part.turn.c, part.turn.s);
+  part.at.c = view.half_cos * part.turn.c - view.half_sin * part.turn.s;
+  part.at.s = view.half_sin * part.turn.c + view.half_cos * part.turn.s;
+  Real less_c = ring.less * part.at.c;
+  Real more_s = ring.more * part.at.s;
+  part.inv_root = inversesqrt(max(ring.product, Real(k_tiny)));
+  part.inverse = Real(2.0) * part.inv_root *
+                 ring_angle(less_c * view.half_cos + more_s * view.half_sin,
+                            ring.product * part.inv_root * part.turn.s);
+  part.end = less_c * part.at.c + more_s * part.at.s;
+  part.begin =
+      ring.less * (view.half_cos * view.half_cos) + ring.more * (view.half_sin * view.half_sin);
+  part.turned = Real(2.0) * part.turn.s * (less_c * view.half_cos - more_s * view.half_sin);
+  return part;
+}
+
+/// pi Psi over that part.
+FN Real ring_integral(ExactView view, Ring ring, RingPart part) {
+  Real b = Real(0.5) * (ring.more - ring.less);
+  Real squared = (ring.mean * part.inverse +
+                  b * (part.turned * reciprocal(max(part.end * part.begin, Real(k_tiny))))) *
+                 (part.inv_root * part.inv_root);
+  return view.alpha2 * (part.angle + ring.k * (Real(2.0) * part.inverse + ring.k * squared));
+}
+
+/// pi times the integral of D over the whole ring.
+FN Real whole_ring(ExactView view, Ring ring) {
+  Real inv_root = inversesqrt(max(ring.product, Real(k_tiny)));
+  return Real(2.0) * k_pi * view.alpha2 *
+         (Real(1.0) + ring.k * inv_root * (Real(2.0) + ring.k * ring.mean * inv_root * inv_root));
+}
+
+/// A node of the integral from an edge to the normal at v, of weight w; width: of the peak at cos_o.
+FN ContourSums add_cap_node(ExactView view, ContourSums sums, Real width, Real v, Real w) {
+  Real inv = reciprocal(max(Real(1.0) - v * v, Real(1.0e-6)));
+  Real z = min(max(view.cos_o + Real(2.0) * width * v * inv, Real(0.0)), Real(1.0));
+  Real sin2 = max(Real(1.0) - z * z, Real(k_tiny));
+  Ring ring = ring_at(view, z, sin2 * inversesqrt(sin2));
+  Real dz = Real(2.0) * width * (Real(1.0) + v * v) * inv * inv * w;
+  Real whole = whole_ring(view, ring);
+  Real even = Real(2.0) * k_pi * view.more_at_normal;
+  sums.masked = sums.masked + (whole * (masking_of_height(view, z) - view.masking) - even) * dz;
+  return sums;
+}
+
+/// Where z is in units in which the peak of whole_ring at cos_o is wide.
+FN Real cap_place(ExactView view, Real width, Real z) {
+  Real x = (z - view.cos_o) / width;
+  return x / (Real(1.0) + sqrt(Real(1.0) + x * x));
+}
+
+/// The integral of whole rings from height z to the normal, times `sign`: 8 nodes of Gauss.
+FN_CALL ContourSums add_cap(ExactView view, ContourSums sums, Real z, Real sign) {
+  Real width = max(Real(2.0) * view.alpha *
+                       sqrt(view.sin_o * view.sin_o + view.alpha2 * view.cos_o * view.cos_o),
+                   Real(0.01));
+  Real from = cap_place(view, width, z);
+  Real to = cap_place(view, width, Real(1.0));
+  Real middle = Real(0.5) * (from + to);
+  Real reach = Real(0.5) * (to - from);
+  ContourSums cap = no_contour();
+  for (int side = -1; side <= 1; side = side + 2) {
+    Real h = reach * Real(float(side));
+    cap = add_cap_node(view, cap, width, middle + h * Real(0.1834346424956498),
+                       Real(0.362683783378362));
+    cap = add_cap_node(view, cap, width, middle + h * Real(0.525532409916329),
+                       Real(0.3137066458778873));
+    cap = add_cap_node(view, cap, width, middle + h * Real(0.7966664774136267),
+                       Real(0.2223810344533745));
+    cap = add_cap_node(view, cap, width, middle + h * Real(0.9602898564975363),
+                       Real(0.1012285362903763));
+  }
+  sums.masked = sums.masked + cap.masked * reach * sign;
+  return sums;
+}
+
+/// The contour integral of g x dg / |g|^2 along the horizon from the azimuth at which rings begin to that of q.
+FN_CALL ContourSums add_horizon_arc(ExactView view, ContourSums sums, ConicPoint q, Real sign) {
+  Ring ring = ring_at(view, Real(0.0), Real(1.0));
+  Real inv_r = inversesqrt(max(q.r.x * q.r.x + q.r.y * q.r.y, Real(k_tiny)));
+  RingPart part = ring_part(view, ring, q.r.x * inv_r, q.r.y * inv_r);
+  // Of cos and sin over e. Looking along the normal e is constant, and the quotients lose their digits.
+  Real cos_part = Real(0.5) * (ring.mean * part.inverse - part.angle); // times sin_o
+  Mask straight = view.sin_o < Real(0.01);
+  Real inv_sin = Real(1.0) / max(view.sin_o, Real(0.01));
+  Real c = part.at.c;
+  Real s = part.at.s;
+  Real c0 = view.half_cos;
+  Real s0 = view.half_sin;
+  Real inv_mean = Real(1.0) / ring.mean;
+  Real along = select(straight, Real(2.0) * (s * c - s0 * c0) * inv_mean, cos_part * inv_sin);
+  Real across = select(straight, Real(2.0) * (s * s - s0 * s0) * inv_mean,
+                       Real(0.5) * inv_sin *
+                           log(max(part.end, Real(k_tiny)) / max(part.begin, Real(k_tiny))));
+  Real up = view.alpha * view.cos_o;
+  sums.visible = sums.visible + Vec3(-up * along, up * across, cos_part - part.inverse) * sign;
+  sums.solid = sums.solid - part.angle * sign;
+  return sums;
+}

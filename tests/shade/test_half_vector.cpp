@@ -1,0 +1,387 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Polygons lit by GGX itself, by integrals along their edges: against points of the polygon and
+// against visible normals drawn evenly, in double precision, neither of which knows of edges.
+
+#include "openltc/table/lobe_table.h"
+#include "openltc/target/shade_f32.h"
+#include "polygon_fixture.h"
+#include "random.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace openltc;
+using testing::Random;
+using testing::TestPolygon;
+
+namespace {
+
+constexpr double k_pi = std::numbers::pi;
+
+// Without a diffuse part, of white metal, seen from `wo` of world space.
+f64::Surface surface(Vec3d position, Vec3d normal, Vec3d wo, double roughness) {
+  const f64::FittedLobe fitted = f64::fetch_lobe(
+      table::builtin_ggx_table().view(), f64::alpha_from_roughness(roughness), dot(normal, wo));
+  return f64::make_exact(f64::make_surface(fitted, position, normal, wo, Vec3d(0.0), Vec3d(1.0),
+                                           Vec3d(1.0), roughness));
+}
+
+f64::Surface surface(double theta, double roughness) {
+  return surface(Vec3d(0.0), Vec3d(0, 0, 1), Vec3d(std::sin(theta), 0, std::cos(theta)), roughness);
+}
+
+f32::Surface surface_f32(double theta, double roughness) {
+  const Vec3f wo = to_float(Vec3d(std::sin(theta), 0, std::cos(theta)));
+  const f32::FittedLobe fitted = f32::fetch_lobe(table::builtin_ggx_table().view(),
+                                                 f32::alpha_from_roughness(float(roughness)), wo.z);
+  return f32::make_exact(f32::make_surface(fitted, Vec3f(0.0f), Vec3f(0, 0, 1), wo, Vec3f(0.0f),
+                                           Vec3f(1.0f), Vec3f(1.0f), float(roughness)));
+}
+
+// What is found, without the caps of shading: the integral of f_s cos_i for F = 1.
+double light_of(const f64::Surface& s, const PolygonView& polygon) {
+  return f64::surface_polygon_integral(s, polygon).specular * s.fitted.n1 * s.inv_share;
+}
+
+struct Quad {
+  Vec3d center, u, v; // half extents at right angles, facing the origin with u x v
+
+  TestPolygon polygon() const {
+    return TestPolygon({testing::rectangle(2 * length(u), 2 * length(v))}, center, normalize(u),
+                       normalize(v));
+  }
+};
+
+double found(const f64::Surface& s, const Quad& quad) {
+  const TestPolygon polygon = quad.polygon();
+  return light_of(s, polygon.view());
+}
+
+// By the middles of n x n parts.
+double midpoints(const f64::Surface& s, const Quad& q, int n) {
+  const Vec3d normal = normalize(cross(q.u, q.v));
+  const double area = 4 * length(q.u) * length(q.v) / (n * n);
+  double sum = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Vec3d p = q.center + q.u * (2 * (i + 0.5) / n - 1) + q.v * (2 * (j + 0.5) / n - 1);
+      const double distance2 = dot(p, p), facing = -dot(p, normal) / std::sqrt(distance2);
+      const Vec3d wi = f64::to_shading(s.frame, normalize(p));
+      if (facing > 0) sum += f64::eval_ggx_terms(s.wo, wi, s.alpha).scale * facing / distance2;
+    }
+  return sum * area;
+}
+
+// Anywhere above, more or less towards the origin.
+Quad random_quad(double size, Random& random) {
+  const Vec3d w = random.hemisphere();
+  const f64::Frame frame =
+      f64::shading_frame(normalize(random.sphere() * 0.9 - w), Vec3d(0, 0.3, 1));
+  return {w * random.uniform(1, 4), frame.t1 * (size * random.uniform(0.1, 2)),
+          frame.t2 * (size * random.uniform(0.1, 2))};
+}
+
+// By visible normals, spread evenly (Hammersley's points): the share of their light whose direction
+// `meets` the light.
+double visible_normals(const f64::Surface& s, int bits, const std::function<bool(Vec3d)>& meets) {
+  const std::uint32_t count = 1u << bits;
+  double sum = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    double inverse = 0;
+    for (int b = 0; b < bits; ++b)
+      if (i >> b & 1) inverse += std::ldexp(1.0, -1 - b);
+    const Vec3d wi =
+        f64::sample_ggx(s.wo, s.alpha, Vec2d((i + 0.5) / count, inverse + 0.5 / count));
+    if (wi.z <= 0 || !meets(f64::to_world(s.frame, wi))) continue;
+    sum += f64::eval_ggx_terms(s.wo, wi, s.alpha).scale / f64::pdf_ggx(s.wo, wi, s.alpha);
+  }
+  return sum / count;
+}
+
+struct Errors {
+  double sum = 0, light = 0, worst = 0;
+  int count = 0;
+
+  void add(double found, double exact) {
+    sum += std::abs(found - exact);
+    light += exact;
+    worst = std::max(worst, std::abs(found - exact));
+    ++count;
+  }
+  double mean() const { return sum / count; }
+  double of_light() const { return sum / light; }
+};
+
+} // namespace
+
+TEST_CASE("exact polygons: quads of every size, against points of them") {
+  for (const double size : {1.0, 0.25, 0.03}) {
+    Random random(11);
+    Errors exact, lobe, ratio;
+    for (int i = 0; i < 200; ++i) {
+      // What the points resolve.
+      const double roughness = random.uniform(std::min(0.35, 0.1 + 0.25 * size), 1);
+      const f64::Surface s = surface(random.uniform(0, 88.0 / 180 * k_pi), roughness);
+      const Quad quad = random_quad(size, random);
+      const double truth = midpoints(s, quad, 300);
+      exact.add(found(s, quad), truth);
+      f64::Surface plain = s;
+      plain.exact = false;
+      const TestPolygon polygon = quad.polygon();
+      ratio.add(f64::shade_polygon(plain, polygon.view()).x, truth);
+      plain.corrected = false;
+      lobe.add(f64::shade_polygon(plain, polygon.view()).x, truth);
+    }
+    MESSAGE("size ", size, ": of the light ", exact.of_light(), " (lobe ", lobe.of_light(),
+            ", ratio ", ratio.of_light(), "), mean ", exact.mean(), " (", lobe.mean(), ", ",
+            ratio.mean(), "), worst ", exact.worst, " (", lobe.worst, ", ", ratio.worst, ")");
+    CHECK(exact.mean() < 1e-4);
+    CHECK(exact.of_light() < 1e-3);
+    CHECK(exact.worst < 0.015);
+    CHECK(exact.of_light() < 0.1 * ratio.of_light());
+  }
+}
+
+TEST_CASE("exact ellipses, disks and spheres, against points of them") {
+  for (const double size : {1.0, 0.25, 0.02}) {
+    Random random(19);
+    Errors ellipses, spheres;
+    double widest = 0; // single precision against double
+    for (int i = 0; i < 150; ++i) {
+      const double theta = random.uniform(0, 88.0 / 180 * k_pi), roughness = random.uniform(0.3, 1);
+      const f64::Surface s = surface(theta, roughness);
+      const double scale = s.fitted.n1 * s.inv_share;
+      const Quad at = random_quad(size, random);
+      const double ratio = i % 2 ? 1 : length(at.v) / length(at.u);
+      const f64::Ellipse ellipse = {at.center, at.u, normalize(at.v) * (ratio * length(at.u)), 0};
+      constexpr int n = 200;
+      const Vec3d normal = f64::ellipse_normal(ellipse);
+      double exact = 0;
+      for (int a = 0; a < n; ++a)
+        for (int b = 0; b < n; ++b) {
+          const double r = std::sqrt((a + 0.5) / n), phi = 2 * k_pi * (b + 0.5) / n;
+          const Vec3d p = at.center + ellipse.half_u * (r * std::cos(phi)) +
+                          ellipse.half_v * (r * std::sin(phi));
+          const double distance2 = dot(p, p), facing = -dot(p, normal) / std::sqrt(distance2);
+          const Vec3d wi = f64::to_shading(s.frame, normalize(p));
+          if (facing > 0)
+            exact += f64::eval_ggx_terms(s.wo, wi, s.alpha).scale * facing / distance2;
+        }
+      const double of_ellipse = f64::surface_ellipse_integral(s, ellipse).specular * scale;
+      ellipses.add(of_ellipse, exact * f64::ellipse_area(ellipse) / (n * n));
+      const f32::LightIntegral single = f32::surface_ellipse_integral(
+          surface_f32(theta, roughness),
+          {to_float(ellipse.center), to_float(ellipse.half_u), to_float(ellipse.half_v), 0});
+      widest = std::max(widest, std::abs(double(single.specular) * scale - of_ellipse));
+
+      const f64::Sphere sphere = {at.center, std::min(length(at.u), 0.95 * length(at.center))};
+      const double sine2 = sphere.radius * sphere.radius / dot(at.center, at.center);
+      const double height = sine2 / (1 + std::sqrt(1 - sine2));
+      const f64::Frame frame = f64::shading_frame(normalize(at.center), Vec3d(0.1, 0.3, 1));
+      exact = 0;
+      for (int a = 0; a < n; ++a)
+        for (int b = 0; b < n; ++b) {
+          const double down = height * (a + 0.5) / n, phi = 2 * k_pi * (b + 0.5) / n;
+          const double across = std::sqrt(down * (2 - down));
+          const Vec3d w = frame.n * (1 - down) + frame.t1 * (across * std::cos(phi)) +
+                          frame.t2 * (across * std::sin(phi));
+          exact += f64::eval_ggx_terms(s.wo, f64::to_shading(s.frame, w), s.alpha).scale;
+        }
+      spheres.add(f64::surface_sphere_integral(s, sphere).specular * scale,
+                  exact * 2 * k_pi * height / (n * n));
+    }
+    MESSAGE("size ", size, ": ellipses ", ellipses.of_light(), " of the light, worst ",
+            ellipses.worst, "; spheres ", spheres.of_light(), ", worst ", spheres.worst,
+            "; single precision, worst ", widest);
+    CHECK(ellipses.of_light() < 1e-3);
+    CHECK(ellipses.worst < 3e-3);
+    CHECK(spheres.of_light() < 1e-3);
+    CHECK(spheres.worst < 8e-3);
+    CHECK(widest < 1e-4);
+  }
+}
+
+TEST_CASE("exact lines, against points of them") {
+  Random random(23);
+  Errors errors;
+  for (int i = 0; i < 300; ++i) {
+    const f64::Surface s =
+        surface(random.uniform(0, 88.0 / 180 * k_pi), random.log_uniform(0.1, 1));
+    const Vec3d center = random.hemisphere() * random.uniform(1, 4);
+    const Vec3d part = random.sphere() * random.log_uniform(0.01, 4);
+    constexpr int n = 20000;
+    double exact = 0;
+    for (int k = 0; k < n; ++k) {
+      const Vec3d p = center + part * (2 * (k + 0.5) / n - 1);
+      const double distance2 = dot(p, p);
+      exact += f64::eval_ggx_terms(s.wo, f64::to_shading(s.frame, normalize(p)), s.alpha).scale *
+               length(cross(p, part)) / (distance2 * std::sqrt(distance2));
+    }
+    const f64::Line line = {center - part, center + part};
+    errors.add(f64::shade_line(s, line).x, exact * 2 / n);
+  }
+  MESSAGE("of the light ", errors.of_light(), ", worst ", errors.worst);
+  CHECK(errors.of_light() < 1e-3);
+}
+
+TEST_CASE(
+    "exact polygons: concave ones, holes and islands, cut by both horizons and by a triangle, "
+    "against visible normals") {
+  for (const bool tilted : {false, true}) {
+    Random random(13);
+    Errors errors;
+    for (int i = 0; i < 120; ++i) {
+      const testing::Setting setting = testing::random_setting(random, 0.3);
+      const double theta = random.uniform(0, 88.0 / 180 * k_pi);
+      const Vec3d wo = setting.frame.n * std::cos(theta) + setting.frame.t1 * std::sin(theta);
+      f64::Surface s = surface(setting.position, setting.frame.n, wo, random.log_uniform(0.02, 1));
+      if (tilted)
+        s = f64::set_geometric_normal(s, normalize(setting.frame.n + random.sphere() * 0.5));
+      const testing::Plane plane = testing::random_plane(random, setting.position);
+      const bool two_sided = i % 3 == 0;
+      const TestPolygon polygon(testing::shape(i % 5), plane.origin, plane.u, plane.v, two_sided);
+      const Vec3d normal = cross(plane.u, plane.v);
+      const double h = dot(plane.origin - setting.position, normal);
+      const auto meets = [&](Vec3d wi) {
+        const double t = h / dot(wi, normal);
+        if (t <= 0 || (h > 0 && !two_sided)) return false;
+        if (tilted && dot(wi, s.geometric) <= 0) return false;
+        const Vec3d p = setting.position + wi * t - plane.origin;
+        return testing::inside_by_winding(polygon.view(), Vec2d(dot(p, plane.u), dot(p, plane.v)));
+      };
+      errors.add(light_of(s, polygon.view()), visible_normals(s, 13, meets));
+    }
+    MESSAGE(std::string(tilted ? "cut by triangles" : "whole"), ": mean ", errors.mean(),
+            ", of the light ", errors.of_light(), ", worst ", errors.worst);
+    CHECK(errors.light > 5);
+    // Of which the points have most.
+    CHECK(errors.mean() < 1e-3);
+    CHECK(errors.worst < 0.015);
+  }
+}
+
+TEST_CASE("exact polygons: one that shrinks becomes the exact point light") {
+  Random random(17);
+  double worst = 0;
+  for (int i = 0; i < 400; ++i) {
+    const f64::Surface s = surface(random.uniform(0, 1.5), random.uniform(0.1, 1));
+    const Quad quad = random_quad(0.001, random);
+    const double exact = midpoints(s, quad, 20);
+    if (exact < 1e-12 || quad.center.z < 0.05) continue;
+    worst = std::max(worst, std::abs(found(s, quad) - exact) / exact);
+  }
+  MESSAGE("worst ", worst);
+  CHECK(worst < 1e-5);
+}
+
+TEST_CASE("exact polygons: five walls of a white furnace, and a quad in two halves") {
+  Random random(29);
+  double least = 2, most = 0, split = 0, light = 0;
+  for (int i = 0; i < 300; ++i) {
+    const f64::Surface s = surface(random.uniform(0, 1.55), random.log_uniform(0.02, 1));
+    const double turn = random.uniform(0, 2 * k_pi), h = random.uniform(0.3, 2.3);
+    const Vec3d x(std::cos(turn), std::sin(turn), 0), y(-x.y, x.x, 0), z(0, 0, 1);
+    const double a = random.uniform(0.5, 2), b = random.uniform(0.5, 2);
+    double sum = found(s, {z * h, y * b, x * a});
+    for (const double side : {-1.0, 1.0}) {
+      sum += found(s, {x * (side * a) + z * (h / 2), y * (side * b), z * (-h / 2)});
+      sum += found(s, {y * (side * b) + z * (h / 2), x * (-side * a), z * (-h / 2)});
+    }
+    const double albedo = visible_normals(s, 12, [](Vec3d) { return true; });
+    least = std::min(least, sum / albedo);
+    most = std::max(most, sum / albedo);
+
+    const Quad whole = random_quad(1, random);
+    const double of_whole = found(s, whole);
+    light += of_whole;
+    split += std::abs(found(s, {whole.center - whole.u * 0.5, whole.u * 0.5, whole.v}) +
+                      found(s, {whole.center + whole.u * 0.5, whole.u * 0.5, whole.v}) - of_whole);
+  }
+  MESSAGE("furnace ", least, " to ", most, "; halves: ", split / light, " of the light");
+  CHECK(least > 0.98);
+  CHECK(most < 1.02);
+  CHECK(split / light < 1e-3);
+}
+
+TEST_CASE("exact polygons: single precision, and nothing that is not a number") {
+  Random random(31);
+  Errors errors;
+  for (int i = 0; i < 20000; ++i) {
+    // Every tenth at a limit.
+    const double theta = i % 10 == 0 ? 0.5 * k_pi : i % 10 == 1 ? 0 : random.uniform(0, 1.57);
+    const double roughness = i % 10 == 2 ? 0 : i % 10 == 3 ? 1 : random.uniform();
+    Quad quad = random_quad(random.log_uniform(1e-4, 30), random);
+    if (i % 10 == 4) quad.center = quad.center - Vec3d(0, 0, quad.center.z); // in the horizon
+    if (i % 10 == 5) quad.v = quad.u - quad.v * (dot(quad.u, quad.v) / dot(quad.v, quad.v));
+    const TestPolygon polygon = quad.polygon();
+    const f64::Surface s = surface(theta, roughness);
+    const double precise = f64::shade_polygon(s, polygon.view()).x;
+    const double single =
+        double(f32::shade_polygon(surface_f32(theta, roughness), polygon.view()).x);
+    CHECK(std::isfinite(precise));
+    CHECK(std::isfinite(single));
+    CHECK(single >= 0);
+    CHECK(single <= 1.001);
+    const f32::Surface s32 = surface_f32(theta, roughness);
+    const f32::Ellipse ellipse = {to_float(quad.center), to_float(quad.u), to_float(quad.v), 1};
+    const f32::Sphere sphere = {to_float(quad.center), float(length(quad.u))};
+    for (const double round :
+         {double(f32::shade_ellipse(s32, ellipse).x), double(f32::shade_sphere(s32, sphere).x)}) {
+      CHECK(std::isfinite(round));
+      CHECK(round >= 0);
+      CHECK(round <= 1.001);
+    }
+    if (roughness >= 0.05 && theta < 1.56) errors.add(single, precise);
+  }
+  MESSAGE("mean ", errors.mean(), ", worst ", errors.worst);
+  CHECK(errors.mean() < 2e-6);
+  CHECK(errors.worst < 2e-3);
+}
+
+TEST_CASE("exact polygons: no step where a light grows, sets, passes the mirror direction or the "
+          "normal") {
+  // See the same of the ratio at the mean direction.
+  struct Path {
+    const char* name;
+    std::function<Quad(double)> at; // t in 0..1
+  };
+  const auto facing = [](Vec3d center, double size) {
+    const f64::Frame frame = f64::shading_frame(normalize(center) * -1.0, Vec3d(0, 0.31, 1));
+    return Quad{center, frame.t1 * size, frame.t2 * (0.7 * size)};
+  };
+  const Path paths[] = {
+      {"grows", [&](double t) { return facing(Vec3d(-1, 0.4, 1.2), 0.002 * std::pow(1000, t)); }},
+      {"sets", [&](double t) { return facing(Vec3d(-1.5, 0.3, 0.8 - 1.4 * t), 0.3); }},
+      {"sets, wide", [&](double t) { return facing(Vec3d(-1.5, 0.3, 1.2 - 2.4 * t), 1.1); }},
+      {"passes the mirror direction",
+       [&](double t) { return facing(Vec3d(-1.2, -1 + 2 * t, 0.8), 0.15); }},
+      {"passes the normal", [&](double t) { return facing(Vec3d(-1 + 2 * t, 0.1, 1), 0.4); }}};
+  for (const Path& path : paths)
+    for (const double roughness : {0.25, 0.6}) {
+      const f64::Surface s = surface(1.1, roughness);
+      const auto largest = [&](int steps) {
+        double before = 0, last = 0, most = 0, light = 1e-9;
+        for (int i = 0; i <= steps; ++i) {
+          const double next = found(s, path.at(double(i) / steps));
+          if (i >= 2) most = std::max(most, std::abs(next - 2 * last + before));
+          before = last;
+          last = next;
+          light = std::max(light, next);
+        }
+        return most / light;
+      };
+      const double coarse = largest(400), fine = largest(1600);
+      CAPTURE(std::string(path.name));
+      CAPTURE(roughness);
+      MESSAGE(std::string(path.name), " ", roughness, ": ", coarse, " ", fine);
+      CHECK(fine < 0.5 * coarse + 1e-4);
+    }
+}
