@@ -58,7 +58,7 @@ struct PolygonView {
   int triangle_count = 0;              ///< triangles
 };
 
-/// View of a luminous intensity by direction; see shade/profile.glsl.
+/// View of a luminous intensity by direction; see shade/punctual.glsl.
 struct ProfileView {
   /// columns * rows values from 0 to 1, shares of the maximum. Rows are slow: row j of n stands for
   /// the angle pi j/(n - 1) from the light's axis. Columns are fast: column i of m stands for the

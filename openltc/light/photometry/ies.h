@@ -4,8 +4,8 @@
 // Luminous intensity by direction, as photometric files tell it. light/photometry/photometry.h
 // reads them.
 //
-// The light's own frame is that of shade/profile.glsl: z the way the luminaire is aimed, where both
-// angles of a file are 0, x and y across. Files have one of three systems of angles (ANSI/IES
+// The light's own frame is that of shade/punctual.glsl: z the way the luminaire is aimed, where
+// both angles of a file are 0, x and y across. Files have one of three systems of angles (ANSI/IES
 // LM-63-2002, section 3; CIE 121-1996, planes A, B and C). With V the vertical and H the horizontal
 // angle, a direction is
 //   C  (sin V cos H,  sin V sin H,       cos V)      luminaires; V from the nadir, 0 to 180 degrees
