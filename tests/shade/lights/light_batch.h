@@ -36,7 +36,6 @@ enum class ShadingForm {
   two,       ///< with a second lobe, of 0.3: that of twice the width
   two_ratio, ///< and the ratio to both
   exact,     ///< by GGX itself, where the shape has it
-  exact,     ///< by GGX itself, where the shape has it
 };
 
 struct LightBatch {
