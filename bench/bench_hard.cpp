@@ -37,7 +37,7 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::vector<std::string> tables = {"built-in", "two-lobe"};
-  std::vector<std::string> forms = {"lobe", "ratio"};
+  std::vector<std::string> forms = {"lobe", "ratio", "exact"};
   std::string size = "192x108";
   std::string folder = OPENLTC_SOURCE_DIR "/scenes/hard";
   std::string cache = OPENLTC_BUILD_DIR "/hard_references";
@@ -73,11 +73,12 @@ struct Form {
 
 struct NamedForm {
   const char* option; ///< of --form
-  const char* name;
+  const char* name;   ///< after what lobes there are, where lobes matter
   render::SpecularForm form;
 };
 const NamedForm k_forms[] = {{"lobe", "", render::SpecularForm::lobe},
-                             {"ratio", ", ratio", render::SpecularForm::ratio}};
+                             {"ratio", ", ratio", render::SpecularForm::ratio},
+                             {"exact", "GGX itself", render::SpecularForm::exact}};
 
 /// The lobes of the table (or polynomial) of a file, in every form that was asked for.
 void add_forms(const std::string& table, const std::vector<std::string>& wanted,
@@ -96,8 +97,10 @@ void add_forms(const std::string& table, const std::vector<std::string>& wanted,
   const std::string what = held && held->two_lobes() ? "two lobes" : "one lobe";
   for (const NamedForm& named : k_forms) {
     if (std::find(wanted.begin(), wanted.end(), named.option) == wanted.end()) continue;
+    const bool exact = named.form == render::SpecularForm::exact;
+    if (exact && table != "built-in") continue; // but for tubes no lobe has a part in it
     forms.push_back(
-        {what + named.name, label,
+        {exact ? named.name : what + named.name, label,
          [lobes, form = named.form](const scene::Scene& scene, render::RenderOptions options) {
            options.specular_form = form;
            const render::LobeSource source =
@@ -346,8 +349,8 @@ int main(int argc, char** argv) {
                  "repeated [built-in and two-lobe]")
       ->allow_extra_args(false);
   app.add_option("--form", options.forms,
-                 "Form of the closed form: lobe or ratio; may be repeated [both]")
-      ->check(CLI::IsMember({"lobe", "ratio"}))
+                 "Form of the closed form: lobe, ratio or exact; may be repeated [all]")
+      ->check(CLI::IsMember({"lobe", "ratio", "exact"}))
       ->allow_extra_args(false);
   app.add_option("--size", options.size, "WIDTHxHEIGHT in pixels [192x108]");
   app.add_option("--folder", options.folder, "Where the scenes lie [scenes/hard]");
