@@ -286,7 +286,8 @@ TEST_CASE("render_refuses_lobes_that_are_broken_or_not_for_shading") {
   REQUIRE(table::write_table(small_table(1, 8), bad).ok());
   CHECK(refuses({"--table", bad}, "bad.json: has one column"));
 
-  CHECK(refuses_usage(run_tool(render(out, {"--lobes", "spline"})), "table or polynomial"));
+  CHECK(
+      refuses_usage(run_tool(render(out, {"--lobes", "spline"})), "table, polynomial or two-lobe"));
   CHECK_FALSE(std::filesystem::exists(out));
   CHECK(folder.file_count() == 4); // t_1, t_2, p, bad
 }
