@@ -291,6 +291,11 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
     return Error{fmt::format("these lobes were fitted to {}, and the ratio of the BRDF to its lobe "
                              "is that of {}: shade by the lobe alone",
                              lobes.brdf, k_ratio_brdf)};
+  if (options.specular_form == SpecularForm::exact && !lobes.brdf.empty() &&
+      lobes.brdf != k_ratio_brdf)
+    return Error{fmt::format("these lobes were fitted to {}, and exact specular light is that of "
+                             "{}: shade by the lobe alone",
+                             lobes.brdf, k_ratio_brdf)};
   const auto build_start = std::chrono::steady_clock::now();
 
   const Kernel kernel = kernel_by_name(options.kernel.c_str());

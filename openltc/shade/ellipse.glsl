@@ -102,6 +102,7 @@ FN_CALL LightIntegral exact_ellipse_integral(Surface s, Ellipse ellipse) {
   Real side = ellipse_side(center, u, v, ellipse.two_sided);
   integral.diffuse = integral.diffuse * side;
   integral.specular = integral.specular * side;
+  integral.second = integral.second * side;
   return integral;
 }
 

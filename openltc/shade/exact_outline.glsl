@@ -298,8 +298,13 @@ FN LightIntegral exact_light_integral(Surface s, Vec3 diffuse, ExactIntegral spe
   LightIntegral integral;
   integral.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
   integral.diffuse_direction = safe_direction(diffuse);
-  integral.specular = specular.light / max(s.fitted.n1 * s.inv_share, Real(k_tiny));
+  // The same of either lobe, so that together they have this share.
+  Real all = s.fitted.n1 * (s.inv_share + s.second_inv_share);
+  integral.specular = specular.light / max(all, Real(k_tiny));
+  integral.second = integral.specular;
   integral.specular_direction = specular.direction;
+  integral.first_direction = specular.direction;
+  integral.second_direction = specular.direction;
   integral.concentration = Real(0.0); // nothing to correct: see ratio_weight
   return integral;
 }
@@ -311,6 +316,9 @@ FN LightIntegral select_integral(Mask m, LightIntegral a, LightIntegral b) {
   integral.specular = select(m, a.specular, b.specular);
   integral.diffuse_direction = select(m, a.diffuse_direction, b.diffuse_direction);
   integral.specular_direction = select(m, a.specular_direction, b.specular_direction);
+  integral.second = select(m, a.second, b.second);
+  integral.first_direction = select(m, a.first_direction, b.first_direction);
+  integral.second_direction = select(m, a.second_direction, b.second_direction);
   integral.concentration = select(m, a.concentration, b.concentration);
   return integral;
 }

@@ -67,6 +67,7 @@ FN_CALL LightIntegral exact_sphere_integral(Surface s, Sphere sphere) {
   Mask seen = distance2 > sphere.radius * sphere.radius && center.z + sphere.radius > Real(0.0);
   integral.diffuse = select(seen, integral.diffuse, Real(0.0));
   integral.specular = select(seen, integral.specular, Real(0.0));
+  integral.second = select(seen, integral.second, Real(0.0));
   return integral;
 }
 
