@@ -77,7 +77,7 @@ void add_sampling(CLI::App& command, RenderArguments& a) {
       "Specular light of area lights by the fitted lobe alone; times the ratio of the BRDF "
       "to it in the direction of each light: small lights are exact then, and mean errors a "
       "third; or, but for tubes, by GGX itself: exact, in five to ten times the time [ratio; "
-      "lobe with a --table of another BRDF than ggx]",
+      "lobe with a --table of another BRDF than ggx and from 64 area lights on]",
       specular);
 }
 

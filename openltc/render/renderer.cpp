@@ -44,6 +44,9 @@ constexpr std::uint32_t k_purpose_pixel = 0;
 constexpr int k_min_lights_to_choose = 6;
 /// The BRDF of the materials, by its name in files of lobes, whose ratio to the lobe is known.
 constexpr const char* k_ratio_brdf = "ggx";
+/// From so many lights on they are shaded by the lobe alone, unless asked otherwise: their groups
+/// have a specular part then.
+constexpr std::size_t k_many_lights = 64;
 // From so many lights on the reference draws some for each sample instead of taking all.
 constexpr int k_min_lights_to_draw = 128;
 constexpr int k_drawn_lights = 96;
@@ -317,8 +320,9 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   context.punctual_count = int(lights.punctual.size());
   context.integrator = options.integrator;
   context.punctual_form = options.punctual_form;
-  context.specular_form = options.specular_form.value_or(
-      lobes.brdf == k_ratio_brdf ? SpecularForm::ratio : SpecularForm::lobe);
+  const bool corrects = lobes.brdf == k_ratio_brdf && lights.area_lights.size() < k_many_lights;
+  context.specular_form =
+      options.specular_form.value_or(corrects ? SpecularForm::ratio : SpecularForm::lobe);
   const bool reference = options.integrator == Integrator::reference;
   context.light_samples = context.brdf_samples = 1; // the LTC integrator has its own plan
   job.shadows = plan_shadows(options.shadow_samples, options.samples);

@@ -42,7 +42,8 @@ struct RenderOptions {
   /// every point.
   float light_error = 0.003f;
   PunctualForm punctual_form = PunctualForm::exact;
-  /// Of area lights, LTC; none: the ratio for lobes that were fitted to GGX, else the lobe alone.
+  /// Of area lights, LTC; none: the ratio for lobes that were fitted to GGX and fewer than 64 area
+  /// lights, else the lobe alone.
   std::optional<SpecularForm> specular_form;
   Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
   std::uint32_t seed = 0;

@@ -15,10 +15,20 @@
 using namespace openltc;
 using namespace openltc::test;
 
+namespace {
+
+Run run_fit(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = {"fit"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_tool(words);
+}
+
+} // namespace
+
 TEST_CASE("two_lobes_are_fitted_inspected_converted_and_rendered_and_refused_elsewhere") {
   const TemporaryFolder folder;
   const std::string out = folder.file("two.dds"), json_file = folder.file("two.json");
-  const Run run = fit({"--form", "two-lobe", "--size", "8", "-o", out, "-o", json_file});
+  const Run run = run_fit({"--form", "two-lobe", "--size", "8", "-o", out, "-o", json_file});
   CAPTURE(run.err);
   REQUIRE(run.exit_code == 0);
   CHECK(folder.file_count() == 5); // three textures, their description, and the other
@@ -42,11 +52,11 @@ TEST_CASE("two_lobes_are_fitted_inspected_converted_and_rendered_and_refused_els
   CHECK(text_of(back) == text_of(json_file));
   CHECK(fails_naming(run_tool({"convert", out, folder.file("x.dds"), "--layout", "ltc_code"}),
                      "holds one lobe"));
-  CHECK(refuses_usage(fit({"--form", "two-lobe", "--layout", "unity"}), "--layout"));
-  CHECK(refuses_usage(fit({"--form", "two-lobe", "--degree", "4"}), "--degree"));
+  CHECK(refuses_usage(run_fit({"--form", "two-lobe", "--layout", "unity"}), "--layout"));
+  CHECK(refuses_usage(run_fit({"--form", "two-lobe", "--degree", "4"}), "--degree"));
   // A report holds it against tables of one lobe.
   const std::string data = folder.file("report.json");
-  REQUIRE(fit({"--size", "6", "--against", out, "--report", data}).exit_code == 0);
+  REQUIRE(run_fit({"--size", "6", "--against", out, "--report", data}).exit_code == 0);
   const json report = json_of(data);
   const auto mean_tv = [&](std::size_t which) {
     return double(report["regions"][0]["candidates"][which]["between_nodes"]["mean"]["tv"]);
