@@ -57,7 +57,7 @@ TEST_CASE("two_lobes_are_fitted_inspected_converted_and_rendered_and_refused_els
   // A report holds it against tables of one lobe.
   const std::string data = folder.file("report.json");
   REQUIRE(run_fit({"--size", "6", "--against", out, "--report", data}).exit_code == 0);
-  const json report = json_of(data);
+  const json report = json::parse(text_of(data));
   const auto mean_tv = [&](std::size_t which) {
     return double(report["regions"][0]["candidates"][which]["between_nodes"]["mean"]["tv"]);
   };
