@@ -36,7 +36,8 @@ if(OPENLTC_LIBRARY)
   list(TRANSFORM folders PREPEND openltc/)
   install(DIRECTORY ${folders} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/openltc COMPONENT library
     FILES_MATCHING PATTERN "*.h"
-    PATTERN embree.h EXCLUDE PATTERN exr_input.h EXCLUDE PATTERN tinygltf.h EXCLUDE)
+    PATTERN embree.h EXCLUDE PATTERN exr_input.h EXCLUDE PATTERN tinygltf.h EXCLUDE
+    PATTERN two_lobe_problem.h EXCLUDE)
   # What was found of that which cmake/dependencies.cmake looks for in two ways, for the configuration of the installed package.
   foreach(package hwy meshoptimizer)
     if(${package}_FOUND AND NOT TARGET PkgConfig::${package})

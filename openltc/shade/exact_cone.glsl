@@ -38,7 +38,6 @@ FN_CALL ExactIntegral exact_cone(Surface s, Cone cone, int arcs) {
   Vec3 first = cone_direction(cone, c, n);
   Vec3 last = cone_direction(cone, cos(start + extent), sin(start + extent));
   // On the horizon, where it cuts.
-  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   Vec3 first_cut = Vec3(first.x, first.y, Real(0.0));
   Vec3 last_cut = Vec3(last.x, last.y, Real(0.0));
   first = select(whole, first, first_cut * inverse_length(first_cut));
