@@ -129,7 +129,8 @@ echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
 for i in "${!labels[@]}"; do
   name="$(tr -cs 'a-z0-9' _ <<<"${labels[$i],,}")"
   name="$out/${name%_}"
-  lobes=(--lobes "${forms[$i]}")
+  # Of the lobes alone: the BRDF's ratio to them, which only lobes that name GGX get, hides what they are.
+  lobes=(--lobes "${forms[$i]}" --specular lobe)
   [[ -n "${files[$i]}" ]] && lobes+=(--table "${files[$i]}")
   "$tool" render "$scene" "${same[@]}" --samples 1 "${lobes[@]}" -o "$name.exr" -o "$name.png"
   "$tool" compare "$name.exr" "$reference" --scene "$scene" --json \

@@ -231,8 +231,8 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
 /// with w the light's concentration times what it leaves of the lobe,
 ///   1 - w (1 - min(r, 1/r)),   or one over that where r > 1:
 /// as much up as down, smooth at r = 1, within r and 1 and within 1 - w and 1 / (1 - w), so that a quotient
-/// of two small numbers does no harm where a light is large. Two halves of a quad differ from the whole
-/// by 1 in 100 of it, and a furnace is kept within 1.5: see docs/method.md.
+/// of two small numbers does no harm where a light is large. It is not additive: two halves of a quad
+/// differ from the whole by 2 in 100 in the mean, five walls of a furnace by up to 4: see docs/method.md.
 FN Real blended_ratio(Surface s, Vec3 wi, Real w) {
   Real lobe = s.fitted.n1 * eval_lobes(s, wi);
   Real rho = min(eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
