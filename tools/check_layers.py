@@ -34,7 +34,7 @@ import os
 import re
 import sys
 
-k_layers = ["shade", "target", "api", "base", "kernel", "image", "draw", "brdf", "table", "fit", "light", "scene", "render", "plot", "c_api"]
+k_layers = ["shade", "target", "api", "base", "shaders", "kernel", "image", "draw", "brdf", "table", "fit", "light", "scene", "render", "plot", "c_api"]
 k_source_endings = (".h", ".c", ".cpp", ".inc", ".glsl", ".frag", ".comp", ".py", ".sh", ".mjs", ".cmake")
 k_source_names = ("CMakeLists.txt", "Makefile", "run")
 k_skipped_folders = {".git", "build", "out", "node_modules", "__pycache__"}
