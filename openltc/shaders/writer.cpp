@@ -148,7 +148,7 @@ std::string Writer::head(const std::string& begin, const std::vector<std::string
   all.push_back(piece(begin + "("));
   if (!pieces.empty()) all.push_back(broken(std::move(pieces)));
   all.push_back(piece(")" + end));
-  return lay_out(joined(std::move(all)), 0, k_width);
+  return lay_out(joined(std::move(all)), 0, k_width - 2); // " {" follows
 }
 
 std::string Writer::header(const Item& item) {
