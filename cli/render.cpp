@@ -155,8 +155,7 @@ Result<render::LobeSource> choose_lobes(const RenderJob& job, scene::Scene& scen
       return render::LobeSource(table::builtin_ggx_table());
     }
   }
-  Result<table::ShadingLobes> read = 
-      table::read_shading_lobes(arguments.table, scene.warnings);
+  Result<table::ShadingLobes> read = table::read_shading_lobes(arguments.table, scene.warnings);
   if (!read) return read.error();
   own = std::move(*read);
   const table::LobeForm form = form_of(own);
@@ -323,8 +322,7 @@ int run_render(const RenderArguments& arguments) {
   Result<PreparedScene> prepared = prepare_scene(*job);
   if (!prepared) return fail("render", prepared.error());
   table::ShadingLobes own_lobes;
-  const Result<render::LobeSource> lobes =
-      choose_lobes(*job, prepared->scene, own_lobes);
+  const Result<render::LobeSource> lobes = choose_lobes(*job, prepared->scene, own_lobes);
   if (!lobes) return fail("render", lobes.error());
   if (Status status = check_not_read(job->files); !status) return fail("render", status.error());
   if (!arguments.quiet) say_what_is_rendered(*job, *prepared);

@@ -40,18 +40,20 @@ struct TradeArguments {
 
 std::string command_of(const TradeArguments& a) {
   std::string command = "openltc plot trade";
-  // Of many scenes the folder says enough.
-  const std::string folder = std::filesystem::path(a.scenes.front()).parent_path().string();
-  const bool all_there =
-      a.scenes.size() > 2 &&
-      std::all_of(a.scenes.begin(), a.scenes.end(), [&](const std::string& file) {
-        return std::filesystem::path(file).parent_path().string() == folder;
-      });
-  if (all_there)
-    command += " " + (folder.empty() ? std::string() : shell_word(folder) + "/") + "*";
-  else
-    for (const std::string& file : a.scenes)
-      command += " " + shell_word(file);
+  const auto folder_of = [](const std::string& file) {
+    return std::filesystem::path(file).parent_path().string();
+  };
+  for (auto file = a.scenes.begin(); file != a.scenes.end();) {
+    const std::string folder = folder_of(*file);
+    const auto end = std::find_if(
+        file, a.scenes.end(), [&](const std::string& other) { return folder_of(other) != folder; });
+    if (end - file > 3) { // the folder says enough
+      command += folder.empty() ? " *" : " " + shell_word(folder) + "/*";
+      file = end;
+    } else {
+      command += " " + shell_word(*file++);
+    }
+  }
   const TradeArguments standard;
   if (a.samples != standard.samples) command += fmt::format(" --samples {}", a.samples);
   if (a.height != standard.height) command += fmt::format(" --height {}", a.height);

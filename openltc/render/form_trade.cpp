@@ -28,7 +28,8 @@ LobeSource lobes_of(const TradeForm& form) {
   return form.two_lobes ? table::builtin_ggx_two_lobe_table() : table::builtin_ggx_table();
 }
 
-/// Points of a floor, 4 m square, of any roughness, each seen from somewhere above.
+/// Points of a floor, 4 m square, as a renderer shades them: sixteen neighbours are of one material
+/// and seen from nearly the same direction, any above the floor.
 struct Floor {
   std::array<std::vector<float>, k_point_field_count> fields;
   std::array<std::vector<float>, 3> radiance;
@@ -39,13 +40,13 @@ struct Floor {
     for (auto& channel : radiance)
       channel.resize(k_timed_points);
     for (std::uint32_t i = 0; i < k_timed_points; ++i) {
-      const Sample2 place = owen_sobol(i, hash_combine(1, 0)),
-                    view = owen_sobol(i, hash_combine(2, 0)),
-                    other = owen_sobol(i, hash_combine(3, 0));
-      const float up = 0.1f + 0.9f * view.u, turn = 6.2831853f * view.v;
-      const float along = std::sqrt(1 - up * up);
+      const std::uint32_t group = i / k_batch_padding, neighbour = i % k_batch_padding;
+      const Sample2 place = owen_sobol(group, hash_combine(1, 0));
+      const Sample2 view = owen_sobol(group, hash_combine(2, 0));
+      const float up = 0.1f + 0.9f * view.u, along = std::sqrt(1 - up * up);
+      const float turn = 6.2831853f * (view.v + 0.001f * float(neighbour));
       const auto put = [&](PointField field, float value) { fields[field][i] = value; };
-      put(k_position_x, 4 * place.u - 2);
+      put(k_position_x, 4 * place.u - 2 + 0.01f * float(neighbour));
       put(k_position_y, 4 * place.v - 2);
       put(k_normal_z, 1);
       put(k_geometric_z, 1);
@@ -57,7 +58,7 @@ struct Floor {
       for (const PointField field : {k_f0_r, k_f0_g, k_f0_b})
         put(field, 0.04f);
       put(k_f90, 1);
-      put(k_roughness, other.u);
+      put(k_roughness, owen_sobol(group, hash_combine(3, 0)).u);
       put(k_offset, 1e-6f);
     }
   }

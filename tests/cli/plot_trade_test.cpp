@@ -101,9 +101,9 @@ TEST_CASE("plot_trade_refuses_what_has_no_error") {
                      "every picture is black"));
   CHECK(fails_naming(run_tool({"plot", "trade", folder.file("none.glb"), "--quiet", "-o", svg}),
                      "none.glb"));
-  CHECK(fails_naming(run_tool({"plot", "trade", hard_scene("rims"), "--kernel", "none", "--quiet",
-                               "-o", svg}),
-                     "none"));
+  CHECK(fails_naming(
+      run_tool({"plot", "trade", hard_scene("rims"), "--kernel", "none", "--quiet", "-o", svg}),
+      "none"));
   CHECK(refuses_usage(run_tool({"plot", "trade", hard_scene("rims"), "--samples", "1"}),
                       "--samples"));
 }
