@@ -118,6 +118,26 @@ TEST_CASE("a quad takes three lines, which the head of each file shows") {
                  "//   light += radiance * ltc_shade_quad(surface, lamp);\n"));
 }
 
+TEST_CASE("what the head of a file names is in it") {
+  const std::regex word("ltc_\\w*\\w(?=[( ]|$)", std::regex::multiline);
+  for (const Language language : all_languages())
+    for (const Shape shape : all_shapes())
+      for (const Lobe lobe : {Lobe::polynomial, Lobe::two_lobe}) {
+        const std::string text = shader(request_of(language, {shape}, lobe));
+        const std::size_t end = text.find("\n\n");
+        const std::string head = text.substr(0, end), code = without_comments(text.substr(end));
+        int names = 0;
+        for (std::sregex_iterator at(head.begin(), head.end(), word), last; at != last;
+             ++at, ++names) {
+          const std::string name = (*at)[0];
+          // A polygon's elements come from the caller.
+          CHECK_MESSAGE((contains(code, name + "(") || contains(code, "struct " + name + " ")),
+                        name_of(language) << ", " << name_of(shape) << ": " << name);
+        }
+        CHECK(names >= 5);
+      }
+}
+
 TEST_CASE("the same request gives the same text, whatever was made before") {
   const std::string first = shader(request_of(Language::wgsl, all_shapes()));
   shader(request_of(Language::metal, {Shape::line}, Lobe::two_lobe));
