@@ -110,8 +110,9 @@ inline void add_penalty(const JointSample& sample, const Vector& x, int first, d
   local.hessian.block<4, 4>(first, first) += 2 * slope * slope.transpose();
 }
 
-inline void evaluate_local(const Problem& problem, const JointSample& sample, const Vector& x,
-                           const Objective& objective, bool with_derivatives, Local& local) {
+// Of the penalties `least` is what determinants are kept above.
+inline void evaluate_local(const JointSample& sample, const Vector& x, const Objective& objective,
+                           double least, bool with_derivatives, Local& local) {
   TwoLobes lobes;
   for (std::size_t k = 0; k < k_unknowns; ++k)
     lobes[k] = x[Eigen::Index(k)];
@@ -124,8 +125,8 @@ inline void evaluate_local(const Problem& problem, const JointSample& sample, co
     for (int j = i; j < k_unknowns; ++j, ++entry)
       local.hessian(i, j) = local.hessian(j, i) = sample.weight * at.hessian[entry];
   }
-  add_penalty(sample, x, 0, problem.least, local);
-  add_penalty(sample, x, 4, problem.least, local);
+  add_penalty(sample, x, 0, least, local);
+  add_penalty(sample, x, 4, least, local);
 }
 
 // Calls body(before, at, after) for every three neighbours in a row or column.
@@ -157,7 +158,7 @@ inline double evaluate_all(const Problem& problem, const Vectors& unknowns,
   const Vectors nodes = stored(unknowns);
   in_pieces(problem.samples.size(), [&](std::size_t s) {
     const JointSample& sample = problem.samples[s];
-    evaluate_local(problem, sample, interpolate(sample, nodes), objective, with_derivatives,
+    evaluate_local(sample, interpolate(sample, nodes), objective, problem.least, with_derivatives,
                    locals[s]);
   });
   double sum = 0;
