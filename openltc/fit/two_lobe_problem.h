@@ -3,7 +3,8 @@
 //
 // What the joint fit of two lobes minimises: the objective at all samples of a table, as the
 // look-up interpolates it, with penalties for lobes that turn inside out and a prior on second
-// differences. Private to two_lobe_fit.cpp.
+// differences; the objective at a sample serves polynomials too. Private to two_lobe_fit.cpp and
+// two_lobe_polynomial.cpp.
 
 #pragma once
 
@@ -169,13 +170,6 @@ inline double evaluate_all(const Problem& problem, const Vectors& unknowns,
     sum += bend.cwiseProduct(prior).dot(bend);
   });
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
-}
-
-inline double dot(const Vectors& a, const Vectors& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i].dot(b[i]);
-  return sum;
 }
 
 } // namespace openltc::fit::two_lobe
