@@ -113,12 +113,13 @@ void add_shaders(CLI::App& app, int& exit_code) {
     languages.emplace_back(name_of(language), language);
   add_choice(*command, "--language", arguments->request.language, "Shading language", languages)
       ->required();
-  const Choices<shaders::Lobe> lobes = {{"polynomial", shaders::Lobe::polynomial},
-                                        {"table", shaders::Lobe::table},
-                                        {"two-lobe", shaders::Lobe::two_lobe}};
+  Choices<shaders::Lobe> lobes;
+  for (const shaders::Lobe lobe : {shaders::Lobe::polynomial, shaders::Lobe::two_lobe_polynomial,
+                                   shaders::Lobe::table, shaders::Lobe::two_lobe})
+    lobes.emplace_back(name_of(lobe), lobe);
   add_choice(*command, "--lobe", arguments->request.lobe,
-             "Fitted lobes: constants of the file, or textures that you bind, of one lobe or of "
-             "two [polynomial]",
+             "Fitted lobes, one or two: constants of the file, or textures that you bind "
+             "[polynomial]",
              lobes);
   command
       ->add_option("--shapes", arguments->shapes,

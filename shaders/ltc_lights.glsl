@@ -593,14 +593,24 @@ vec3 ltc_specular_amplitude(ltc_FittedLobe fitted, vec3 f0, vec3 f90) {
 //   int  lobe_polynomial_degree(LobePolynomial)
 //   Vec4 lobe_polynomial_mirror(LobePolynomial, term)      c_ij of A B C D
 //   Vec2 lobe_polynomial_amplitudes(LobePolynomial, term)  c_ij of n1 s
+//   bool lobe_polynomial_has_second(LobePolynomial)
+//   Vec4 lobe_polynomial_second(LobePolynomial, term)      c_ij of A B C D of the second lobe
+//   Real lobe_polynomial_tangent(LobePolynomial, term)     c_ij of t, below
 //
 // s = (n5 / n1)^(1/5) stands in for n5: Schlick's (1 - cos)^5 is of degree ten in v, its root of
 // degree two. A dielectric's reflection, .04 n1 + .96 n5, hangs on n5 where that is small.
+//
+// The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
+// smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
-// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
-// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
-// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
-ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width, float cos_theta) {
+// Sums over the terms of a polynomial, at one roughness and view angle.
+struct ltc_PolynomialSums {
+  vec4 mirror;     // A B C D, of the first or the second lobe
+  vec2 amplitudes; // n1 s of the first, t and 0 of the second
+};
+
+// Of the first lobe, or of the second where there is one.
+ltc_PolynomialSums ltc_sum_lobe_polynomial(float alpha, float cos_theta) {
   float a = min(max(alpha, ltc_k_min_alpha), 1.0);
   float c = min(max(cos_theta, 0.0), 1.0);
   float u = 2.0 * sqrt(a) - 1.0;
@@ -611,8 +621,9 @@ ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width, float
   // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
   // at T_j(v) instead of 1. All channels share it.
   int degree = ltc_lobe_polynomial_degree();
-  vec4 abcd = vec4(0.0, 0.0, 0.0, 0.0);
-  vec2 amplitudes = vec2(0.0, 0.0);
+  ltc_PolynomialSums sums;
+  sums.mirror = vec4(0.0, 0.0, 0.0, 0.0);
+  sums.amplitudes = vec2(0.0, 0.0);
   float t_v = 1.0;
   float t_v_before = v;
   int term = 0;
@@ -620,8 +631,8 @@ ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width, float
     float product = t_v;
     float product_before = u * t_v;
     for (int i = 0; i <= degree - j; ++i) {
-      abcd = abcd + ltc_lobe_polynomial_mirror(term) * product;
-      amplitudes = amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
+      sums.mirror = sums.mirror + ltc_lobe_polynomial_mirror(term) * product;
+      sums.amplitudes = sums.amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
       float next = u_twice * product - product_before;
       product_before = product;
       product = next;
@@ -631,12 +642,26 @@ ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width, float
     t_v_before = t_v;
     t_v = t_v_next;
   }
+  return sums;
+}
 
+// The lobe of these coefficients A B C D, with a determinant above 0 whatever they are.
+ltc_Lobe ltc_lobe_of_sums(vec4 mirror, float width, float cos_theta) {
+  float c = min(max(cos_theta, 0.0), 1.0);
+  ltc_Lobe lobe = ltc_lobe_from_mirror(mirror, min(max(width, ltc_k_min_alpha), 1.0), c);
+  lobe.det = max(lobe.det, ltc_k_tiny);
+  return lobe;
+}
+
+// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width, float cos_theta) {
+  ltc_PolynomialSums sums = ltc_sum_lobe_polynomial(alpha, cos_theta);
   ltc_FittedLobe fitted;
-  fitted.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
-  fitted.lobe.det = max(fitted.lobe.det, ltc_k_tiny);
-  fitted.n1 = max(amplitudes.x, 0.0);
-  float s = min(max(amplitudes.y, 0.0), 1.0);
+  fitted.lobe = ltc_lobe_of_sums(sums.mirror, width, cos_theta);
+  fitted.n1 = max(sums.amplitudes.x, 0.0);
+  float s = min(max(sums.amplitudes.y, 0.0), 1.0);
   float s2 = s * s;
   fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;
@@ -1147,18 +1172,15 @@ vec3 ltc_reflectance_of_part(ltc_Surface s, vec3 wi, float share, float filled) 
 // direction wi the BRDF is larger than the lobe by
 //   r = rho / (n1 D),  rho = D V cos of GGX, D the lobe's density above the horizon.
 // A light that fills the whole lobe has n1 whatever its shape, so 1 is right for that. Between the two,
-// with w the light's concentration times what it leaves of the lobe,
-//   1 - w (1 - min(r, 1/r)),   or one over that where r > 1:
-// as much up as down, smooth at r = 1, within r and 1 and within 1 - w and 1 / (1 - w), so that a quotient
-// of two small numbers does no harm where a light is large. It is not additive: two halves of a quad
-// differ from the whole by 2 in 100 in the mean, five walls of a furnace by up to 4: see docs/method.md.
+// with w the light's concentration times what it leaves of the lobe, their harmonic mean
+//   1 / (1 - w + w / r):
+// at most 1 / (1 - w), so that a quotient of two small numbers does no harm where a light is large, and
+// nearly r where the lobe glows and the BRDF does not. It is not additive: see docs/method.md.
 float ltc_blended_ratio(ltc_Surface s, vec3 wi, float w) {
   float lobe = s.fitted.n1 * ltc_eval_lobes(s, wi);
   float rho = min(ltc_eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
-  float larger = max(max(rho, lobe), ltc_k_tiny);
-  // Rounding of w, a mean, must not make it negative.
-  float ratio = max(1.0 - w * (1.0 - min(rho, lobe) / larger), 0.0);
-  return rho > lobe ? 1.0 / max(ratio, 0.5 / ltc_k_max_ratio) : ratio;
+  // 1 where both vanish.
+  return (rho + ltc_k_tiny) / (max(rho + w * (lobe - rho), 0.0) + ltc_k_tiny);
 }
 
 // The weight of the BRDF in that: of a light that fills `share` of the lobe.

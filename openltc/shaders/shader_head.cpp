@@ -5,6 +5,7 @@
 
 #include "openltc/api/ggx_polynomial.inc"
 #include "openltc/api/ggx_table.inc"
+#include "openltc/api/ggx_two_lobe_polynomial.inc"
 #include "openltc/api/ggx_two_lobes.inc"
 
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ public:
   }
   // What a surface takes of a table, before the rest.
   std::string table() const {
-    if (request_.lobe == Lobe::polynomial) return {};
+    if (is_constant(request_.lobe)) return {};
     return std::string("coefficients, amplitudes") +
            (request_.lobe == Lobe::two_lobe ? ", second" : "") + sampler("table") + ", ";
   }
@@ -94,6 +95,10 @@ std::string lobe_lines(const ShaderRequest& request) {
         "// Lobe   one, by polynomials of degree {} in this file: no texture. It differs "
         "from the BRDF by a\n{}",
         k_ggx_polynomial_degree, error(k_ggx_polynomial_metadata));
+  case Lobe::two_lobe_polynomial:
+    return fmt::format("// Lobes  two, by polynomials of degree {} in this file: no texture. They "
+                       "differ from the BRDF by a\n{}",
+                       k_ggx_two_lobe_polynomial_degree, error(k_ggx_two_lobe_polynomial_metadata));
   case Lobe::table:
     return fmt::format("// Lobe   one, {}//        `{} -o ggx.dds` differ from the BRDF by a\n{}",
                        bound, k_ggx_table_metadata.command, error(k_ggx_table_metadata));

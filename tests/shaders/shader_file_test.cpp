@@ -54,8 +54,8 @@ TEST_CASE("the files in shaders/ are what is made today, byte for byte") {
   // tools/make_shaders.sh writes them.
   for (const Language language : all_languages())
     for (const ShaderRequest& request :
-         {request_of(language), request_of(language, {Shape::quad}, Lobe::table),
-          request_of(language, all_shapes())}) {
+         {request_of(language), request_of(language, {Shape::quad}, Lobe::two_lobe_polynomial),
+          request_of(language, {Shape::quad}, Lobe::table), request_of(language, all_shapes())}) {
       const std::string path = OPENLTC_SOURCE_DIR "/shaders/" + file_name(request);
       const bool same = read_text(path) == shader(request);
       CHECK_MESSAGE(same, path);
@@ -68,7 +68,7 @@ TEST_CASE("every name that others see begins with the prefix") {
       "\\w+|(?:static inline )?(?:float|bool|int|vec[234]|float[234]|Zz\\w+)) (\\w+)",
       std::regex::multiline);
   for (const Language language : all_languages())
-    for (const Lobe lobe : {Lobe::polynomial, Lobe::two_lobe}) {
+    for (const Lobe lobe : {Lobe::two_lobe_polynomial, Lobe::two_lobe}) {
       ShaderRequest request = request_of(language, all_shapes(), lobe);
       request.prefix = "Zz";
       const std::string text = without_comments(shader(request));
@@ -122,7 +122,7 @@ TEST_CASE("what the head of a file names is in it") {
   const std::regex word("ltc_\\w*\\w(?=[( ]|$)", std::regex::multiline);
   for (const Language language : all_languages())
     for (const Shape shape : all_shapes())
-      for (const Lobe lobe : {Lobe::polynomial, Lobe::two_lobe}) {
+      for (const Lobe lobe : {Lobe::polynomial, Lobe::two_lobe_polynomial, Lobe::two_lobe}) {
         const std::string text = shader(request_of(language, {shape}, lobe));
         const std::size_t end = text.find("\n\n");
         const std::string head = text.substr(0, end), code = without_comments(text.substr(end));

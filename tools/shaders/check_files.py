@@ -33,7 +33,7 @@ import hlsl_compilers  # noqa: E402
 from check_shaders import install_naga, k_exit_skipped, k_root, need  # noqa: E402
 
 k_shapes = ["quad", "polygon", "disk", "sphere", "tube", "line", "textured"]
-k_lobes = ["polynomial", "table", "two-lobe"]
+k_lobes = ["polynomial", "two-lobe-polynomial", "table", "two-lobe"]
 k_all_cases = [([shape], "polynomial") for shape in k_shapes] + [(["all"], lobe) for lobe in k_lobes]
 k_few_cases = [(["quad"], "polynomial"), (["all"], "polynomial"), (["all"], "two-lobe")]
 k_languages = {"glsl": ["glsl", "glsl-es", "hlsl", "gdshader"], "wgsl": ["wgsl"], "metal": ["metal"],
