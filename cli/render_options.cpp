@@ -134,7 +134,8 @@ void add_lobes(CLI::App& command, RenderArguments& a) {
   add_choice(
       command, "--lobes", a.lobes,
       "Lobes of the LTC integrator from a table, a polynomial or a table of two lobes at every "
-      "node, half the error for half as much time again [what --table holds; table]",
+      "node, half the error for half as much time again [what --table holds; two-lobe, from 64 "
+      "area lights on table]",
       forms_of_lobes);
   command
       .add_option(

@@ -203,7 +203,8 @@ TEST_CASE("render_takes_its_lobes_from_tables_and_polynomials") {
     return bytes_of(out);
   };
   const auto standard = picture({}), by_polynomial = picture({"--lobes", "polynomial"});
-  CHECK(picture({"--lobes", "table"}) == standard);
+  CHECK(picture({"--lobes", "two-lobe"}) == standard);
+  CHECK(picture({"--lobes", "table"}) != standard);
   CHECK(by_polynomial != standard);
   const auto by_table = picture({"--table", table});
   CHECK(by_table != standard);

@@ -178,3 +178,11 @@ TEST_CASE("two lobes come closer to the reference than one, in every kernel alik
       CHECK(std::abs(lanes.data[i] - two.data[i]) < 2e-3f * (std::abs(two.data[i]) + 0.05f));
   }
 }
+
+TEST_CASE("two lobes are taken where lights are few") {
+  light::Lights lights;
+  lights.lines.resize(render::k_many_lights - 1);
+  CHECK(f64::lobe_table_has_second(render::builtin_lobes_for(lights).table));
+  lights.spheres.resize(1);
+  CHECK_FALSE(f64::lobe_table_has_second(render::builtin_lobes_for(lights).table));
+}
