@@ -27,6 +27,7 @@ struct Options {
   std::vector<std::string> scenes;
   int samples = 16, seeds = 12, shadow_samples = 0;
   int width = 192, height = 108;
+  bool two_lobes = false;
 };
 
 /// Pictures of several seeds by one way of sampling.
@@ -54,7 +55,9 @@ Spread spread_of(const scene::Scene& scene, const Options& options, bool lobe_sa
   for (int seed = 1; seed <= options.seeds; ++seed) {
     o.seed = std::uint32_t(seed);
     const std::clock_t start = std::clock();
-    const auto picture = render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), o);
+    const auto picture = render::render(
+        scene, scene.cameras.at(0),
+        options.two_lobes ? table::builtin_ggx_two_lobe_table() : table::builtin_ggx_table(), o);
     if (!picture) end(picture.error().message);
     const std::vector<float>& data = picture->radiance.data;
     spread.mean.resize(data.size());
@@ -126,6 +129,7 @@ int main(int argc, char** argv) {
   app.add_option("--samples", options.samples, "per pixel");
   app.add_option("--seeds", options.seeds, "pictures of each way");
   app.add_option("--shadow-samples", options.shadow_samples, "0: no shadows");
+  app.add_flag("--two-lobes", options.two_lobes, "of the built-in table of two the first");
   CLI11_PARSE(app, argc, argv);
   if (options.scenes.empty()) {
     const std::string folder = OPENLTC_SOURCE_DIR "/scenes/";
