@@ -85,7 +85,9 @@ FN LightPoint sample_polygon_by_lobe(Polygon polygon, PolygonByLobe seen, Vec3 p
   Real shrink = lobe.det * inv_length;
   Real solid_angle =
       seen.total * (shrink * shrink) * inv_length / max(Real(2.0) * o.z, Real(k_tiny));
-  LightPoint point = polygon_point_towards(polygon, position, to_world(frame, w), solid_angle);
+  // What rounding may have taken beside the polygon does not count.
+  LightPoint point = intersect_polygon_by_area(polygon, position, to_world(frame, w));
+  point.solid_angle = solid_angle;
   point.hit = point.hit && seen.known && mass > Real(0.0) && o.z > Real(0.0) && w.z > Real(0.0);
   return point;
 }
