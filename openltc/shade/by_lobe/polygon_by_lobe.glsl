@@ -88,7 +88,8 @@ FN LightPoint sample_polygon_by_lobe(Polygon polygon, PolygonByLobe seen, Vec3 p
   // What rounding may have taken beside the polygon does not count.
   LightPoint point = intersect_polygon_by_area(polygon, position, to_world(frame, w));
   point.solid_angle = solid_angle;
-  point.hit = point.hit && seen.known && mass > Real(0.0) && o.z > Real(0.0) && w.z > Real(0.0);
+  point.hit = point.hit && seen.known && mass > Real(0.0) && slice.width > Real(0.0) &&
+              o.z > Real(0.0) && w.z > Real(0.0);
   return point;
 }
 
