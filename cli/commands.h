@@ -25,5 +25,6 @@ void add_fit(CLI::App& app, int& exit_code);
 void add_inspect(CLI::App& app, int& exit_code);
 void add_plot(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
+void add_shaders(CLI::App& app, int& exit_code);
 
 } // namespace openltc::cli

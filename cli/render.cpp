@@ -127,13 +127,16 @@ Status check_lobe_options(const RenderJob& job) {
 }
 
 const char* name_of(table::LobeForm form) {
-  return form == table::LobeForm::polynomial ? "polynomial"
-         : form == table::LobeForm::two_lobe ? "table of two lobes"
-                                             : "table";
+  return form == table::LobeForm::polynomial            ? "polynomial"
+         : form == table::LobeForm::two_lobe            ? "table of two lobes"
+         : form == table::LobeForm::two_lobe_polynomial ? "polynomial of two lobes"
+                                                        : "table";
 }
 
 table::LobeForm form_of(const table::ShadingLobes& lobes) {
-  if (std::holds_alternative<table::LobePolynomial>(lobes)) return table::LobeForm::polynomial;
+  if (const auto* polynomial = std::get_if<table::LobePolynomial>(&lobes))
+    return polynomial->two_lobes() ? table::LobeForm::two_lobe_polynomial
+                                   : table::LobeForm::polynomial;
   return std::get<table::LobeTable>(lobes).two_lobes() ? table::LobeForm::two_lobe
                                                        : table::LobeForm::table;
 }
@@ -149,6 +152,8 @@ Result<render::LobeSource> choose_lobes(const RenderJob& job, scene::Scene& scen
     switch (*arguments.lobes) {
     case table::LobeForm::polynomial:
       return render::LobeSource(table::builtin_ggx_polynomial());
+    case table::LobeForm::two_lobe_polynomial:
+      return render::LobeSource(table::builtin_ggx_two_lobe_polynomial());
     case table::LobeForm::two_lobe:
       return render::LobeSource(table::builtin_ggx_two_lobe_table());
     case table::LobeForm::table:

@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+#include "openltc/shaders/shader_file.h"
+
+#include "openltc/api/ggx_polynomial.inc"
+#include "openltc/shaders/parser.h"
+#include "openltc/shaders/quads.h"
+#include "openltc/shaders/reach.h"
+#include "openltc/shaders/shader_head.h"
+#include "openltc/shaders/simplify.h"
+#include "openltc/shaders/sources.h"
+#include "openltc/shaders/writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace openltc::shaders {
+
+namespace {
+
+bool has(const ShaderRequest& request, Shape shape) {
+  return std::find(request.shapes.begin(), request.shapes.end(), shape) != request.shapes.end();
+}
+
+std::string text_of(const std::string& path) {
+  for (const EmbeddedFile& file : embedded_files())
+    if (path == file.path) return file.text;
+  return {};
+}
+
+// The files of openltc/shade in the order in which they build on each other.
+std::vector<std::string> shading_paths() {
+  std::vector<std::string> paths;
+  const std::string list = text_of("openltc/target/shade_all.inc");
+  const std::string include = "#include \"";
+  for (std::size_t at = list.find(include); at != std::string::npos; at = list.find(include, at)) {
+    at += include.size();
+    paths.push_back(list.substr(at, list.find('"', at) - at));
+  }
+  return paths;
+}
+
+std::string stem_of(const std::string& path) {
+  const std::size_t begin = path.rfind('/') + 1;
+  return path.substr(begin, path.rfind('.') - begin);
+}
+
+Status parse_into(std::vector<SourceFile>& files, const std::string& path) {
+  Result<SourceFile> file = parse_file(text_of(path), path);
+  if (!file) return file.error();
+  file->name = stem_of(path);
+  files.push_back(std::move(*file));
+  return Success{};
+}
+
+// The files of dialect/ that stand before the maths, and after it.
+std::vector<std::string> data_files(const ShaderRequest& request) {
+  std::vector<std::string> names = {request.lobe == Lobe::polynomial ? "polynomial_data"
+                                                                     : "table_data"};
+  if (has(request, Shape::quad) || has(request, Shape::textured)) names.push_back("quad_data");
+  if (has(request, Shape::polygon)) names.push_back("polygon_data");
+  if (has(request, Shape::textured)) names.push_back("picture_data");
+  return names;
+}
+
+std::vector<std::string> entry_files(const ShaderRequest& request) {
+  std::vector<std::string> names = {request.lobe == Lobe::polynomial ? "polynomial_surface"
+                                    : request.lobe == Lobe::table    ? "table_surface"
+                                                                     : "two_lobe_surface",
+                                    "gltf_surface", "lights"};
+  if (has(request, Shape::textured)) names.push_back("textured");
+  return names;
+}
+
+Roots roots_of(const ShaderRequest& request) {
+  Roots roots = {{"surface_at", "gltf_surface", "set_geometric_normal", "correct_at_mean"},
+                 {"Quad", "Ellipse", "Sphere", "Tube", "Line"}};
+  const auto add = [&](std::initializer_list<const char*> names) {
+    roots.functions.insert(names.begin(), names.end());
+  };
+  bool parts = false;
+  for (const Shape shape : request.shapes) {
+    if (shape != Shape::textured) parts = true;
+    switch (shape) {
+    case Shape::quad:
+      add({"make_quad", "shade_quad", "shade_quad_parts"});
+      break;
+    case Shape::polygon:
+      add({"shade_polygon", "shade_polygon_parts"});
+      break;
+    case Shape::disk:
+      add({"make_disk", "make_ellipse", "shade_ellipse", "shade_ellipse_parts"});
+      break;
+    case Shape::sphere:
+      add({"make_sphere", "shade_sphere", "shade_sphere_parts"});
+      break;
+    case Shape::tube:
+      add({"make_tube", "shade_tube", "shade_tube_parts"});
+      break;
+    case Shape::line:
+      add({"make_line", "shade_line", "shade_line_parts"});
+      break;
+    case Shape::textured:
+      add({"make_quad", "shade_textured_quad"});
+      break;
+    }
+  }
+  if (parts) roots.structs.insert("ShadedLight");
+  return roots;
+}
+
+Handles handles_of(const ShaderRequest& request) {
+  const Words& words = words_of(request.language);
+  const bool samplers = *words.sampler != '\0';
+  const auto with_sampler = [&](std::vector<HandlePart> parts, const std::string& suffix) {
+    if (samplers) parts.push_back({words.sampler, suffix + "_sampler"});
+    return parts;
+  };
+  std::vector<HandlePart> table = {{words.texture, "_coefficients"},
+                                   {words.texture, "_amplitudes"}};
+  if (request.lobe == Lobe::two_lobe) table.push_back({words.texture, "_second"});
+  Handles handles;
+  handles["LobePolynomial"] = {};
+  handles["LobeTable"] = with_sampler(std::move(table), "");
+  handles["Lobes"] =
+      request.lobe == Lobe::polynomial ? handles["LobePolynomial"] : handles["LobeTable"];
+  handles["Polygon"] = {{words.polygon, ""}};
+  handles["Picture"] = with_sampler({{words.texture, ""}}, "");
+  handles["EmissionTexture"] =
+      with_sampler({{"Quad", ""}, {words.texture, "_picture"}}, "_picture");
+  return handles;
+}
+
+Node number(float value) {
+  std::string text = fmt::format("{}", value < 0 ? -value : value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  Node node{Kind::number, text};
+  return value < 0 ? Node{Kind::unary, "-", {std::move(node)}} : node;
+}
+
+// The built-in polynomial as constants.
+SourceFile polynomial_constants() {
+  SourceFile file{"polynomial_coefficients"};
+  Item degree{ItemKind::constant, "int", "k_polynomial_degree"};
+  degree.body = {Kind::number, std::to_string(k_ggx_polynomial_degree)};
+  degree.comments = {"Total degree of the polynomials in both variables."};
+  Item mirror{ItemKind::constant, "Vec4", "k_polynomial_mirror"};
+  mirror.comments = {"Coefficients of A, B, C and D, a term a row."};
+  Item amplitudes{ItemKind::constant, "Vec2", "k_polynomial_amplitudes"};
+  amplitudes.comments = {"And of n1 and s."};
+  const int terms = (k_ggx_polynomial_degree + 1) * (k_ggx_polynomial_degree + 2) / 2;
+  for (int term = 0; term < terms; ++term) {
+    const float* row = k_ggx_polynomial + 8 * term;
+    mirror.elements.push_back(
+        {Kind::call, "Vec4", {number(row[0]), number(row[1]), number(row[2]), number(row[3])}});
+    amplitudes.elements.push_back({Kind::call, "Vec2", {number(row[4]), number(row[5])}});
+  }
+  file.items = {std::move(degree), std::move(mirror), std::move(amplitudes)};
+  return file;
+}
+
+// All that may be in the file, in its order.
+Result<std::vector<SourceFile>> read_source(const ShaderRequest& request) {
+  std::vector<SourceFile> maths;
+  for (const std::string& path : shading_paths())
+    if (Status status = parse_into(maths, path); !status) return status.error();
+  if (has(request, Shape::quad) || has(request, Shape::textured)) add_quad_functions(maths);
+  drop_quad_case(maths);
+  std::vector<SourceFile> files = {std::move(maths[0])}; // constants
+  if (request.lobe == Lobe::polynomial) files.push_back(polynomial_constants());
+  const auto add = [&](const std::vector<std::string>& names) -> Status {
+    for (const std::string& name : names)
+      if (Status status = parse_into(files, "openltc/shaders/dialect/" + name + ".glsl"); !status)
+        return status;
+    return Success{};
+  };
+  if (Status status = add(data_files(request)); !status) return status.error();
+  for (std::size_t i = 1; i < maths.size(); ++i)
+    files.push_back(std::move(maths[i]));
+  if (Status status = add(entry_files(request)); !status) return status.error();
+  return files;
+}
+
+// What a language wants before the first function.
+std::string preamble(const ShaderRequest& request, bool sizes) {
+  if (request.language == Language::glsl_es)
+    return "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n\n";
+  if (request.language == Language::metal)
+    return "#include <metal_stdlib>\nusing namespace metal;\n\n";
+  if (request.language == Language::hlsl && sizes)
+    return fmt::format("// Columns and rows of a texture.\n"
+                       "float2 {}texture_size(Texture2D<float4> picture) {{\n"
+                       "  uint columns, rows;\n"
+                       "  picture.GetDimensions(columns, rows);\n"
+                       "  return float2(columns, rows);\n}}\n\n",
+                       request.prefix);
+  return {};
+}
+
+std::string section(const SourceFile& file) {
+  std::string title = "// ---- " + file.name + " ";
+  std::replace(title.begin(), title.end(), '_', ' ');
+  if (title.size() < 100) title += std::string(100 - title.size(), '-');
+  std::string out = title + "\n";
+  if (!file.opening.empty()) out += "//\n" + comment_lines(file.opening, 0);
+  return out;
+}
+
+} // namespace
+
+const std::vector<Shape>& all_shapes() {
+  static const std::vector<Shape> shapes = {Shape::quad,    Shape::polygon, Shape::disk,
+                                            Shape::sphere,  Shape::tube,    Shape::line,
+                                            Shape::textured};
+  return shapes;
+}
+
+std::string name_of(Shape shape) {
+  constexpr const char* k_names[] = {"quad", "polygon", "disk",    "sphere",
+                                     "tube", "line",    "textured"};
+  return k_names[int(shape)];
+}
+
+std::string name_of(Lobe lobe) {
+  constexpr const char* k_names[] = {"polynomial", "table", "two-lobe"};
+  return k_names[int(lobe)];
+}
+
+Status check_prefix(const std::string& prefix) {
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto part_of_word = [&](char c) {
+    return letter(c) || c == '_' || std::isdigit(static_cast<unsigned char>(c)) != 0;
+  };
+  if (prefix.empty() || !letter(prefix[0]) ||
+      !std::all_of(prefix.begin(), prefix.end(), part_of_word) ||
+      prefix.find("__") != std::string::npos || prefix.rfind("gl_", 0) == 0)
+    return Error{
+        fmt::format("'{}' cannot begin the names of a shader: it takes a letter, then letters, "
+                    "digits and single underscores, and not gl_",
+                    prefix)};
+  return Success{};
+}
+
+std::string file_name(const ShaderRequest& request) {
+  std::string name = request.prefix;
+  if (name.back() != '_') name += '_';
+  if (request.shapes.size() == all_shapes().size()) {
+    name += "lights";
+  } else {
+    for (std::size_t i = 0; i < request.shapes.size(); ++i)
+      name += (i > 0 ? "_" : "") + name_of(request.shapes[i]);
+  }
+  if (request.lobe == Lobe::table) name += "_table";
+  if (request.lobe == Lobe::two_lobe) name += "_two_lobe";
+  if (request.language == Language::glsl_es) name += "_es";
+  return name + words_of(request.language).extension;
+}
+
+Result<std::string> make_shader(const ShaderRequest& request) {
+  Result<std::vector<SourceFile>> read = read_source(request);
+  if (!read) return read.error();
+  std::vector<SourceFile>& files = *read;
+
+  Facts facts;
+  facts.second_lobe = request.lobe == Lobe::two_lobe;
+  for (const SourceFile& file : files)
+    note_integers(file, facts);
+  for (SourceFile& file : files)
+    for (Item& item : file.items)
+      simplify(item, facts);
+  keep_reached(files, roots_of(request));
+
+  std::set<std::string> globals = {"polygon_data", "texture_size"};
+  bool sizes = false;
+  for (const SourceFile& file : files)
+    for (const Item& item : file.items) {
+      globals.insert(item.name);
+      walk(item.body, [&](const Node& node) { sizes = sizes || is_call(node, "texture_size"); });
+    }
+  const std::unique_ptr<Writer> writer =
+      make_writer(request.language, request.prefix, handles_of(request), std::move(globals));
+  std::string text = head_of(request) + "\n" + preamble(request, sizes);
+  for (const SourceFile& file : files) {
+    if (file.items.empty()) continue;
+    text += section(file) + "\n";
+    for (const Item& item : file.items)
+      text += writer->item(item) + "\n";
+  }
+  text.pop_back();
+  return text;
+}
+
+} // namespace openltc::shaders
