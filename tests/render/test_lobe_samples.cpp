@@ -75,10 +75,12 @@ Spread spread_of(const scene::Scene& scene, render::RenderOptions options, int s
 
 } // namespace
 
-TEST_CASE("by lobes the reference of a Lambertian room has no noise but that of rounding") {
+TEST_CASE("by lobes the reference of a Lambertian floor has no noise but that of rounding") {
   // All the light of a polygon is its form factor, whose closed form is exact.
-  const scene::Material grey = test::diffuse_material({0.5f, 0.4f, 0.3f});
-  const scene::Scene scene = lamp_room(grey, grey);
+  scene::Scene scene;
+  test::add_floor(scene, 20, 0, test::diffuse_material({0.5f, 0.4f, 0.3f}));
+  scene.lights.polygons.push_back(test::ceiling_rectangle(-2, -1, 1, 2, 3, 10));
+  scene.cameras.push_back(test::look_at({0, 2.5f, 5}, {0, 0, 0}, 0.7f));
   const render::RenderOptions options = reference_options(1);
   render::RenderOptions ltc = options;
   ltc.integrator = render::Integrator::ltc;
@@ -100,7 +102,7 @@ TEST_CASE("by lobes the reference of a Lambertian room has no noise but that of 
                    << " by more than 1e-4");
   CHECK(compared > 3000);
   CHECK(difference / compared < 5e-5);
-  // Points that see a sliver of a light sample that by its solid angle.
+  // Points that see a sliver of the light sample it by its solid angle.
   CHECK(apart < compared / 50);
 }
 

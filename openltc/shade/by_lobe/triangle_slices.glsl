@@ -181,7 +181,7 @@ FN SliceEnds slice_ends(SliceEnds ends, LobeEdge edge, Real t) {
 }
 
 /// theta n_z of the arc from a to b, both unit.
-FN Real arc_term(Vec3 a, Vec3 b) {
+FN Real part_term(Vec3 a, Vec3 b) {
   Vec3 d = b - a;
   Vec3 c = cross(a, d);
   return c.z * theta_over_sin(dot(a, b), dot(c, c));
@@ -222,8 +222,8 @@ FN LobeSlice slice_at(LobeTriangle triangle, Real t, Real t_edges) {
           Real(0.0));
   Vec3 lower = Vec3(slice.c * slice.x, slice.s, slice.c * slice.z);
   Vec3 upper = Vec3(upper_c * slice.x, upper_s, upper_c * slice.z);
-  Real arcs = select(has_lower, arc_term(ends.lower_first, lower), Real(0.0)) -
-              select(has_upper, arc_term(ends.upper_first, upper), Real(0.0));
+  Real arcs = select(has_lower, part_term(ends.lower_first, lower), Real(0.0)) -
+              select(has_upper, part_term(ends.upper_first, upper), Real(0.0));
   slice.below = ends.whole + arcs + slice.x * slice.angle;
   return slice;
 }
