@@ -326,6 +326,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   context.specular_form =
       options.specular_form.value_or(corrects ? SpecularForm::ratio : SpecularForm::lobe);
   const bool reference = options.integrator == Integrator::reference;
+  context.lobe_samples = options.lobe_samples;
   context.light_samples = context.brdf_samples = 1; // the LTC integrator has its own plan
   job.shadows = plan_shadows(options.shadow_samples, options.samples);
   if (options.shadow_samples > 0) {
