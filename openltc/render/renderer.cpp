@@ -284,8 +284,9 @@ Status check(const RenderOptions& o) {
 } // namespace
 
 LobeSource builtin_lobes_for(const light::Lights& lights) {
-  return lights.area_light_count() < k_many_lights ? table::builtin_ggx_two_lobe_table()
-                                                   : table::builtin_ggx_table();
+  const std::size_t count = lights.area_light_count();
+  return count > 0 && count < k_many_lights ? table::builtin_ggx_two_lobe_table()
+                                            : table::builtin_ggx_table();
 }
 
 Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,

@@ -72,7 +72,8 @@ struct LobeSource {
 inline constexpr std::size_t k_many_lights = 64;
 
 /// The built-in lobes of the least error that take at most twice the time of the fastest (`openltc
-/// plot trade`): two at every node, from k_many_lights area lights on one.
+/// plot trade`): two at every node; from k_many_lights area lights on, and where there are none,
+/// one.
 LobeSource builtin_lobes_for(const light::Lights& lights);
 
 struct Picture {
