@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Light of area lights in closed form, by linearly transformed cosines (LTC), in WGSL.
-// Shapes: quad, polygon, disk, sphere, tube, line, textured.
+// Area lights in closed form, by linearly transformed cosines (LTC).
+// Language: WGSL. Shapes: quad, polygon, disk, sphere, tube, line, textured.
 //
 // Made by OpenLTC 0.1.0 from its shading source, and readable and yours to change like that:
 //   openltc shaders --language wgsl --shapes all

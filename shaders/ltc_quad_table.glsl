@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Light of area lights in closed form, by linearly transformed cosines (LTC), in GLSL 4.50 (and 3.30 or later).
-// Shapes: quad.
+// Area lights in closed form, by linearly transformed cosines (LTC).
+// Language: GLSL 4.50 (and 3.30 or later). Shapes: quad.
 //
 // Made by OpenLTC 0.1.0 from its shading source, and readable and yours to change like that:
 //   openltc shaders --language glsl --lobe table --shapes quad

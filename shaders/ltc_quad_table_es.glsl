@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Light of area lights in closed form, by linearly transformed cosines (LTC), in GLSL ES 3.00 (WebGL 2).
-// Shapes: quad.
+// Area lights in closed form, by linearly transformed cosines (LTC).
+// Language: GLSL ES 3.00 (WebGL 2). Shapes: quad.
 //
 // Made by OpenLTC 0.1.0 from its shading source, and readable and yours to change like that:
 //   openltc shaders --language glsl-es --lobe table --shapes quad
