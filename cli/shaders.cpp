@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -66,7 +67,7 @@ int run_shaders(ShadersArguments& arguments) {
   if (Status status = shaders::check_prefix(request.prefix); !status)
     return fail("shaders", Error{"--prefix: " + status.error().message}, k_exit_usage);
   request.version = OPENLTC_VERSION;
-  const std::string path = arguments.folder + "/" + file_name(request);
+  const std::string path = (std::filesystem::path(arguments.folder) / file_name(request)).string();
   if (Status status = check_places({path}); !status) return fail("shaders", status.error());
   const Result<std::string> text = make_shader(request);
   if (!text) return fail("shaders", text.error());
@@ -76,11 +77,29 @@ int run_shaders(ShadersArguments& arguments) {
 }
 
 constexpr const char* k_shaders_footer =
-    "The file is made of the same source as the tool itself, with its names, comments and\n"
-    "derivations, and needs no other. Only what the shapes need is in it.\n"
+    "The file needs no other and no table, unless you choose one. It is made of the source that\n"
+    "the tool itself is built from, with its names, comments and derivations, so that you can "
+    "read\n"
+    "and change it; its head shows how to call it, in three lines for a quad. Only what the "
+    "shapes\n"
+    "need is in it, and every name begins with the prefix.\n"
+    "\n"
+    "Languages: glsl (Vulkan and desktop), glsl-es (WebGL 2), hlsl (Unreal, Unity), metal, wgsl\n"
+    "(WebGPU), gdshader (Godot 4).\n"
+    "Lobes: polynomial, constants in the file, mean total variation from GGX 0.038; table, "
+    "textures\n"
+    "of `openltc fit`, 0.037 or any other BRDF; two-lobe, textures of `openltc fit --form "
+    "two-lobe`,\n"
+    "0.016.\n"
+    "Shapes: quad, a rectangle or parallelogram; polygon, any outline from a buffer; disk, "
+    "ellipses\n"
+    "too; sphere; tube, cylinder or capsule; line; textured, a rectangle with a picture.\n"
+    "Files made beforehand, and more about their use: shaders/README.md.\n"
     "\n"
     "Examples:\n"
-    "  openltc shaders --language wgsl -o .                    ltc_quad.wgsl";
+    "  openltc shaders --language wgsl -o .                        ltc_quad.wgsl\n"
+    "  openltc shaders --language hlsl --shapes quad,sphere,tube -o Shaders\n"
+    "  openltc shaders --language metal --shapes all --lobe two-lobe --prefix Area_ -o .";
 
 } // namespace
 

@@ -8,7 +8,7 @@
 # C and C++ by .clang-format. What is included as text and what shaders read (.inc .glsl .comp .frag) by the
 # same but for two things: the order of includes has a meaning there, and comments, in which formulas
 # and tables stand, are not wrapped. CLANG_FORMAT=clang-format-14 names the program; other versions
-# format otherwise. Exit code 77 when it is not there.
+# format otherwise. Exit code 77 when it is not there. shaders/ is left as the tool lays it out.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 program="${CLANG_FORMAT:-clang-format-14}"
@@ -27,7 +27,7 @@ else
   cd "$root"
   # New files too, if git does not ignore them.
   mapfile -t files < <(git ls-files --cached --others --exclude-standard -- \
-    '*.h' '*.c' '*.cpp' '*.inc' '*.glsl' '*.comp' '*.frag' | sort -u |
+    '*.h' '*.c' '*.cpp' '*.inc' '*.glsl' '*.comp' '*.frag' ':!shaders/' | sort -u |
     while read -r file; do [[ ! -e "$file" ]] || echo "$file"; done)
 fi
 

@@ -111,7 +111,14 @@ template <class Visit> void walk(const Node& node, const Visit& visit) {
     walk(part, visit);
 }
 
-/// The same for trees that are changed: those below first.
+/// Whether a comparison is anywhere in a node.
+inline bool has_comparison(const Node& node) {
+  bool found = false;
+  walk(node, [&](const Node& part) { found = found || compares(part); });
+  return found;
+}
+
+/// walk for trees that are changed: those below first.
 template <class Visit> void rewrite(Node& node, const Visit& visit) {
   for (Node& part : node.parts)
     rewrite(part, visit);

@@ -64,16 +64,18 @@ Piece WgslWriter::declaration(const Node& node, bool) {
 
 Writer::Written WgslWriter::conditional(const Node& node) {
   std::vector<Piece> parts;
-  parts.push_back(joined({argument(node.parts[2]), piece(",")}));
-  parts.push_back(joined({argument(node.parts[1]), piece(",")}));
-  parts.push_back(argument(node.parts[0]));
+  const bool compared = has_comparison(node.parts[0]);
+  parts.push_back(
+      joined({argument(node.parts[2], compared || has_comparison(node.parts[1])), piece(",")}));
+  parts.push_back(joined({argument(node.parts[1], compared), piece(",")}));
+  parts.push_back(argument(node.parts[0], false));
   return {joined({piece("select("), broken(std::move(parts)), piece(")")}), k_tightest};
 }
 
 // `f(a < b, c > (d))` would read as a template.
-Piece WgslWriter::argument(const Node& node) {
+Piece WgslWriter::argument(const Node& node, bool comparison_follows) {
   Written written = expression(node);
-  if (!compares(node)) return std::move(written.piece);
+  if (!comparison_follows || !compares(node)) return std::move(written.piece);
   return joined({piece("("), std::move(written.piece), piece(")")});
 }
 

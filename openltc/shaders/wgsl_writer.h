@@ -23,7 +23,7 @@ private:
   Piece declaration(const Node& node, bool loops) override;
   std::string step(const std::string& name) override { return name + "++"; }
   Written conditional(const Node& node) override;
-  Piece argument(const Node& node) override;
+  Piece argument(const Node& node, bool comparison_follows) override;
   bool needs_brackets(const Node& node, const Node& part, int level, int part_level,
                       bool right) const override;
   /// Of a variable, or of an array of that size.

@@ -148,7 +148,7 @@ std::string Writer::head(const std::string& begin, const std::vector<std::string
   all.push_back(piece(begin + "("));
   if (!pieces.empty()) all.push_back(broken(std::move(pieces)));
   all.push_back(piece(")" + end));
-  return lay_out(joined(std::move(all)), 0, k_width);
+  return lay_out(joined(std::move(all)), 0, k_width - 2); // " {" follows
 }
 
 std::string Writer::header(const Item& item) {
@@ -321,11 +321,13 @@ Writer::Written Writer::conditional(const Node& node) {
 // Arguments of a call, handles taken apart.
 std::vector<Piece> Writer::arguments(const Node& node) {
   std::vector<Piece> all;
-  for (const Node& part : node.parts) {
+  for (std::size_t i = 0; i < node.parts.size(); ++i) {
+    const Node& part = node.parts[i];
     const auto local = part.kind == Kind::name ? locals_.find(part.text) : locals_.end();
     const auto handle = local == locals_.end() ? handles_.end() : handles_.find(local->second);
     if (handle == handles_.end()) {
-      all.push_back(argument(part));
+      all.push_back(argument(part, std::any_of(node.parts.begin() + std::ptrdiff_t(i) + 1,
+                                               node.parts.end(), has_comparison)));
       continue;
     }
     for (const HandlePart& component : handle->second)

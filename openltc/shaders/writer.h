@@ -56,7 +56,8 @@ protected:
   virtual Piece declaration(const Node& node, bool loops);
   virtual std::string step(const std::string& name) { return "++" + name; }
   virtual Written conditional(const Node& node);
-  virtual Piece argument(const Node& node) { return expression(node).piece; }
+  /// An argument of a call. The flag: whether another behind it compares.
+  virtual Piece argument(const Node& node, bool) { return expression(node).piece; }
   virtual bool needs_brackets(const Node& node, const Node& part, int level, int part_level,
                               bool right) const;
 

@@ -13,7 +13,7 @@ TEST_CASE("help_of_the_tool_names_every_command_and_what_it_does") {
   const Run help = run_tool({"--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.err.empty());
-  for (const char* command : {"render", "fit", "compare", "inspect", "convert", "plot"})
+  for (const char* command : {"render", "fit", "compare", "inspect", "convert", "plot", "shaders"})
     CHECK(contains(help.out, std::string("\n  ") + command + " "));
   CHECK(line_count(help.out) < 30); // the whole tool at a glance
   const Run version = run_tool({"--version"});
@@ -73,6 +73,9 @@ TEST_CASE("help_of_each_command_lists_its_options_and_examples") {
         ".html",
         "--against",
         "openltc fit"}},
+      {"shaders",
+       {"--language", "glsl|glsl-es|hlsl|metal|wgsl|gdshader", "--lobe",
+        "polynomial|table|two-lobe", "--shapes", "textured", "--prefix", "-o,", "openltc shaders"}},
       {"convert", {"--layout", "--precision", "--from-layout", "--size", "openltc convert"}},
       {"compare", {"--metric", "--diff", "--json", "FLIP", "openltc compare"}},
       {"inspect", {"--json", ".glb", ".exr", "openltc inspect"}}};

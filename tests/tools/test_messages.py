@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-k_commands = ["render", "compare", "fit", "convert", "inspect", "plot"]
+k_commands = ["render", "compare", "fit", "convert", "inspect", "plot", "shaders"]
 # Files of the tool that serve other commands than their name says.
 k_served = {
     "picture_output": ["render"], "shape_options": ["render", "convert", "inspect"],
@@ -32,6 +32,7 @@ k_library_serves = {
     "openltc/base/memory_budget.cpp": ["render", "compare", "convert", "inspect"],
     "openltc/fit/fit_job.cpp": ["fit"],
     "openltc/plot": ["plot"],
+    "openltc/shaders": ["shaders"],
 }
 
 

@@ -1,0 +1,3364 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Light of area lights in closed form, by linearly transformed cosines (LTC), in GLSL 4.50 (and 3.30 or later).
+// Shapes: quad, polygon, disk, sphere, tube, line, textured.
+//
+// Made by OpenLTC 0.1.0 from its shading source, and readable and yours to change like that:
+//   openltc shaders --language glsl --shapes all
+//
+// BRDF   GGX with height-correlated Smith masking and Schlick's Fresnel, over Lambert.
+// Lobe   one, by polynomials of degree 4 in this file: no texture. It differs from the BRDF by a
+//        total variation 0.038 in the mean, 0.30 at most, which bounds the error of every light
+//        (docs/fitting.md).
+//
+// How to call it:
+//   ltc_Surface surface = ltc_gltf_surface(position, normal, view, base_color, metallic, roughness);
+//   ltc_Quad lamp = ltc_make_quad(center, half_u, half_v, 0.0);
+//   light += radiance * ltc_shade_quad(surface, lamp);
+//   light += radiance * ltc_shade_polygon(surface, outline);
+//   ltc_Ellipse disk = ltc_make_disk(center, normal_of_disk, radius, 0.0);
+//   light += radiance * ltc_shade_ellipse(surface, disk);
+//   ltc_Sphere ball = ltc_make_sphere(center, radius);
+//   light += radiance * ltc_shade_sphere(surface, ball);
+//   ltc_Tube rod = ltc_make_tube(one_end, other_end, radius, 2.0);
+//   light += radiance * ltc_shade_tube(surface, rod);
+//   ltc_Line wire = ltc_make_line(one_end, other_end);
+//   light += intensity_per_metre * ltc_shade_line(surface, wire);
+//   ltc_Quad screen = ltc_make_quad(center, half_u, half_v, 0.0);
+//   light += radiance * ltc_shade_textured_quad(surface, screen, picture);
+// `normal`, on the viewer's side, and `view`, to the eye, are unit and in world space, like all else;
+// a lamp emits along half_u x half_v. The result has no shadow. One `surface` serves all lights.
+// Polygons are read by a function of yours, which stands before this file:
+//   vec4 ltc_polygon_data(int i)   element i of what "polygon data" below says
+// `outline` is the index of a polygon's first element.
+//
+// More:
+//   ltc_surface_at              a surface of any reflectance, instead of glTF's
+//   ltc_set_geometric_normal    where a normal map turns the normal: hides what the triangle does
+//   ltc_correct_at_mean         small lights become exact, for a few instructions more
+//   ltc_shade_..._parts         diffuse and specular light apart
+//
+// Comments are those of the source: names have no ltc_ there, a lane is an invocation, and files that
+// they name are OpenLTC's, as is docs/method.md, where all is derived.
+
+// ---- constants ----------------------------------------------------------------------------------
+//
+// Constants. CONSTANT is a compile-time scalar in every target.
+
+// pi
+const float ltc_k_pi = 3.14159265358979323846;
+
+// 1 / pi
+const float ltc_k_inv_pi = 0.31830988618379067154;
+
+// 1 / (2 pi)
+const float ltc_k_half_inv_pi = 0.15915494309189533577;
+
+// Smallest microfacet width that shading uses: roughness 0.01. A perfect mirror has no finite
+// density; at this width the lobe is 0.01 degrees wide, below what a pixel resolves, and single
+// precision still carries it.
+const float ltc_k_min_alpha = 1.0e-4;
+
+// What rounding may make of a distance of 0 from a plane, relative to that from the plane's origin:
+// four units in the last place of single precision.
+const float ltc_k_plane_rounding = 2.5e-7;
+
+// Rounding of a position on a triangle in world space, relative to its distance from the origin: some
+// ten units in the last place of single precision.
+const float ltc_k_position_rounding = 6.0e-7;
+
+// Length of the difference of two unit normals up to which they are the same: some ten units in the
+// last place of single precision.
+const float ltc_k_normal_rounding = 1.0e-6;
+
+// Least share of a lobe above the horizon that its amplitude is divided by. Fitted lobes have 0.7
+// and more there; a lobe of a damaged table must not magnify rounding.
+const float ltc_k_min_share = 0.01;
+
+// Most that a light's specular part is multiplied by (blended_ratio), so that it fades where a light
+// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is 16 times
+// the lobe, there is next to nothing of either.
+const float ltc_k_max_ratio = 64.0;
+
+// Added under a division or a square root whose argument may vanish; far below any length in use.
+const float ltc_k_tiny = 1.0e-30;
+
+// Added to the square of a length under an inverse root: the product of two inverse lengths, at most
+// 1e11 each, and an inverse sine, at most 1e15, stays finite.
+const float ltc_k_least_length2 = 1.0e-22;
+
+// ---- polynomial coefficients --------------------------------------------------------------------
+
+// Total degree of the polynomials in both variables.
+const int ltc_k_polynomial_degree = 4;
+
+// Coefficients of A, B, C and D, a term a row.
+const vec4 ltc_k_polynomial_mirror[15] = vec4[15](
+    vec4(0.6677733, -0.2839807, 0.6423568, 1.097253),
+    vec4(0.03543778, -0.3508565, 0.1513957, -0.25154),
+    vec4(-0.03947054, -0.01649081, 0.03640917, -0.1250094),
+    vec4(-0.03788963, 0.06603108, -0.1000224, -0.02221692),
+    vec4(-0.01275793, 0.02818707, 0.01359907, 0.008370275),
+    vec4(-0.4390807, -0.2865121, 0.6107541, -0.8337397),
+    vec4(0.04532699, -0.3207448, 0.2106151, 0.2377783),
+    vec4(-0.04185048, 0.00981988, -0.07275826, 0.07755067),
+    vec4(-0.04465733, 0.06849372, 0.015033, 0.002158859),
+    vec4(-0.1106452, 0.009666363, 0.09600891, -0.2100363),
+    vec4(0.01206078, 0.03199834, -0.1940915, 0.05398509),
+    vec4(-0.009938524, 0.0348854, 0.110808, 0.01473734),
+    vec4(0.001470969, 0.006227979, -0.03764246, -0.0002229243),
+    vec4(-0.0001330755, 0.007741617, 0.05895613, -0.001076636),
+    vec4(0.002074114, -0.001229983, 0.009980159, 0.00201469));
+
+// And of n1 and s.
+const vec2 ltc_k_polynomial_amplitudes[15] = vec2[15](
+    vec2(0.8045086, 0.343843),
+    vec2(-0.2724648, -0.05521916),
+    vec2(-0.07661926, 0.02603711),
+    vec2(0.008226918, -0.009146704),
+    vec2(0.01169145, -0.001905162),
+    vec2(0.07112518, 0.363317),
+    vec2(0.1375234, -0.135376),
+    vec2(0.07787056, -0.05730146),
+    vec2(-0.003416058, 0.03913193),
+    vec2(0.04123044, 0.04581396),
+    vec2(0.07066337, -0.0722363),
+    vec2(0.02702755, 0.05455893),
+    vec2(0.01748315, 0.01933991),
+    vec2(0.03402566, 0.01176714),
+    vec2(0.008494951, -0.01617918));
+
+// ---- polynomial data ----------------------------------------------------------------------------
+//
+// Coefficients of the fitted lobe as constants: no texture.
+
+// Total degree in both variables.
+int ltc_lobe_polynomial_degree() { return ltc_k_polynomial_degree; }
+
+// A B C D of a term.
+vec4 ltc_lobe_polynomial_mirror(int term) { return ltc_k_polynomial_mirror[term]; }
+
+// n1 and s of a term.
+vec2 ltc_lobe_polynomial_amplitudes(int term) { return ltc_k_polynomial_amplitudes[term]; }
+
+// ---- quad data ----------------------------------------------------------------------------------
+//
+// A light of four corners, known by its middle.
+
+// A rectangle or parallelogram in world space; emits along half_u x half_v.
+struct ltc_Quad {
+  vec3 center;     // world space
+  vec3 half_u;     // from there to the middle of one side, metres
+  vec3 half_v;     // and to that of the next, counter-clockwise as seen from the front
+  float two_sided; // 0 or 1
+};
+
+// Corner i, counter-clockwise as seen from the front; 4 is the first again.
+vec3 ltc_quad_point(ltc_Quad quad, int i) {
+  float u = i == 1 || i == 2 ? 1.0 : -1.0;
+  float v = i == 2 || i == 3 ? 1.0 : -1.0;
+  return quad.center + quad.half_u * u + quad.half_v * v;
+}
+
+// A point of its plane.
+vec3 ltc_quad_origin(ltc_Quad quad) { return quad.center; }
+
+// Unit, to the emitting side.
+vec3 ltc_quad_normal(ltc_Quad quad) {
+  vec3 normal = cross(quad.half_u, quad.half_v);
+  return normal * inversesqrt(max(dot(normal, normal), ltc_k_tiny));
+}
+
+// Whether it emits to both sides.
+bool ltc_quad_two_sided(ltc_Quad quad) { return quad.two_sided > 0.0; }
+
+// Square metres.
+float ltc_quad_area(ltc_Quad quad) {
+  vec3 normal = cross(quad.half_u, quad.half_v);
+  return sqrt(dot(normal, normal)) * 4.0;
+}
+
+// The middle of its area.
+vec3 ltc_quad_centroid(ltc_Quad quad) { return quad.center; }
+
+// The distance of the farthest corner from there.
+float ltc_quad_radius(ltc_Quad quad) {
+  return sqrt(dot(quad.half_u, quad.half_u) + dot(quad.half_v, quad.half_v) +
+              2.0 * abs(dot(quad.half_u, quad.half_v)));
+}
+
+// sqrt(2/3): sqrt(2) times the standard deviation of -1..1.
+const float ltc_k_quad_spread = 0.81649658092772603;
+
+// Half of what stands for it where it is small: the mean over centroid +- spread_u and +- spread_v is
+// that over its area for every quadratic function.
+vec3 ltc_quad_spread_u(ltc_Quad quad) { return quad.half_u * ltc_k_quad_spread; }
+
+// And the other half.
+vec3 ltc_quad_spread_v(ltc_Quad quad) { return quad.half_v * ltc_k_quad_spread; }
+
+// ---- polygon data -------------------------------------------------------------------------------
+//
+// Polygons of any outline are four-component vectors that the caller provides, one polygon after the
+// other:
+//   0  number of points, two-sided (0 or 1), area, 0
+//   1  origin: a point of its plane, 0
+//   2, 3  not read
+//   4  normal: unit, to the emitting side, 0
+//   5  centroid of its area, distance of the farthest point from there
+//   6  spread u, 0     7  spread v, 0
+//   8 and on: its points, 1 where a ring begins, else 0
+// Rings run counter-clockwise as seen from the front, holes clockwise, and each ends with its first point
+// again. The spreads are sqrt(2) times the standard deviations of the area along its principal axes, as
+// vectors; for a rectangle those are half of its sides times sqrt(2/3).
+
+// Number of points.
+int ltc_polygon_point_count(int polygon) { return int(ltc_polygon_data(polygon).x); }
+
+// Whether it emits to both sides.
+bool ltc_polygon_two_sided(int polygon) { return ltc_polygon_data(polygon).y != 0.0; }
+
+// Square metres.
+float ltc_polygon_area(int polygon) { return ltc_polygon_data(polygon).z; }
+
+// A point of its plane.
+vec3 ltc_polygon_origin(int polygon) { return ltc_polygon_data(polygon + 1).xyz; }
+
+// Unit, to the emitting side.
+vec3 ltc_polygon_normal(int polygon) { return ltc_polygon_data(polygon + 4).xyz; }
+
+// The middle of its area.
+vec3 ltc_polygon_centroid(int polygon) { return ltc_polygon_data(polygon + 5).xyz; }
+
+// The distance of the farthest point from there.
+float ltc_polygon_radius(int polygon) { return ltc_polygon_data(polygon + 5).w; }
+
+// How far it spreads.
+vec3 ltc_polygon_spread_u(int polygon) { return ltc_polygon_data(polygon + 6).xyz; }
+
+// And across.
+vec3 ltc_polygon_spread_v(int polygon) { return ltc_polygon_data(polygon + 7).xyz; }
+
+// Point i.
+vec3 ltc_polygon_point(int polygon, int i) { return ltc_polygon_data(polygon + 8 + i).xyz; }
+
+// Whether a ring begins with it.
+bool ltc_polygon_starts_ring(int polygon, int i) {
+  return ltc_polygon_data(polygon + 8 + i).w != 0.0;
+}
+
+// ---- picture data -------------------------------------------------------------------------------
+//
+// The picture of a light: a texture with all its mip levels, linear filter between texels and between
+// levels, clamped. It covers a rectangle, with (0, 0) at center - half_u - half_v, u along half_u and v
+// along half_v. Its alpha is the share of a texel that shines, by which its colour has been multiplied: 1
+// everywhere for a light that is whole.
+
+// Columns and rows of the finest level.
+vec2 ltc_emission_texel_count(ltc_Quad emission, sampler2D emission_picture) {
+  return vec2(textureSize(emission_picture, 0));
+}
+
+// The colour, times the share that shines, and that share.
+vec4 ltc_emission_texel(ltc_Quad emission, sampler2D emission_picture, vec2 uv, float level) {
+  return textureLod(emission_picture, uv, level);
+}
+
+// Where u and v are 0.
+vec3 ltc_emission_corner(ltc_Quad emission, sampler2D emission_picture) {
+  return emission.center - emission.half_u - emission.half_v;
+}
+
+// Unit, the direction of u.
+vec3 ltc_emission_axis_u(ltc_Quad emission, sampler2D emission_picture) {
+  return emission.half_u * inversesqrt(max(dot(emission.half_u, emission.half_u), ltc_k_tiny));
+}
+
+// Unit, the direction of v.
+vec3 ltc_emission_axis_v(ltc_Quad emission, sampler2D emission_picture) {
+  return emission.half_v * inversesqrt(max(dot(emission.half_v, emission.half_v), ltc_k_tiny));
+}
+
+// Its sides, metres.
+vec2 ltc_emission_extent(ltc_Quad emission, sampler2D emission_picture) {
+  return vec2(2.0 * sqrt(dot(emission.half_u, emission.half_u)),
+              2.0 * sqrt(dot(emission.half_v, emission.half_v)));
+}
+
+// ---- angle --------------------------------------------------------------------------------------
+//
+// Inverse tangents, the same in every target: of any angle to the last digits, for the lights' outlines, and
+// of half a turn to 2.5e-7 radians, by one polynomial and no choice of range, for the profiles of light.
+
+// atan(x) / x for |x| <= tan(pi/8), from x2 = x^2; relative error 2.2e-11 (Chebyshev interpolation).
+float ltc_atan_over_small(float x2) {
+  return 0.9999999999783847 +
+         x2 *
+         (-0.3333333209692669 +
+          x2 *
+          (0.19999883803916288 +
+           x2 *
+           (-0.14281587308807808 +
+            x2 * (0.11040471028770685 + x2 * (-0.08456089562356194 + x2 * 0.04707129830797903)))));
+}
+
+// Angle of the vector (x, y) from the x axis, -pi..pi; 0 for the zero vector.
+float ltc_angle_of(float x, float y) {
+  float ax = abs(x);
+  float ay = abs(y);
+  float small = min(ax, ay);
+  float large = max(max(ax, ay), ltc_k_tiny);
+  // atan(t) = pi/4 + atan((t - 1)/(t + 1)) brings t from 0..1 to within tan(pi/8).
+  bool steep = small > 0.41421356237309503 * large;
+  float t = (steep ? small - large : small) / (steep ? small + large : large);
+  float angle = t * ltc_atan_over_small(t * t) + (steep ? 0.25 * ltc_k_pi : 0.0);
+  angle = ay > ax ? 0.5 * ltc_k_pi - angle : angle;
+  angle = x < 0.0 ? ltc_k_pi - angle : angle;
+  return y < 0.0 ? -angle : angle;
+}
+
+// atan(x) / x, 1 at 0.
+float ltc_atan_over(float x) {
+  float a = abs(x);
+  bool small = a < 0.4;
+  return small ? ltc_atan_over_small(min(a * a, 0.16)) : ltc_angle_of(1.0, a) / max(a, 0.4);
+}
+
+// ---- frame --------------------------------------------------------------------------------------
+//
+// The shading frame: t1 in the plane of normal and view direction, t2 = n x t1, n.
+//
+// In it wo = (sin theta, 0, cos theta), so an isotropic BRDF depends on theta and roughness alone.
+
+// The shading frame of a point: the axes x, y and z of shading space, orthonormal.
+struct ltc_Frame {
+  vec3 t1; // unit, world space
+  vec3 t2; // n x t1
+  vec3 n;  // the normal
+};
+
+// A unit vector perpendicular to the unit vector n, without a branch: Duff et al. 2017, "Building an
+// Orthonormal Basis, Revisited", equation 3.
+vec3 ltc_any_perpendicular(vec3 n) {
+  float s = n.z < 0.0 ? -1.0 : 1.0;
+  float a = -1.0 / (s + n.z);
+  return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
+}
+
+// Frame of a unit normal and a unit direction to the viewer, world space. When the two are
+// parallel any tangent serves.
+ltc_Frame ltc_shading_frame(vec3 n, vec3 wo) {
+  vec3 in_plane = wo - n * dot(n, wo);
+  float length2 = dot(in_plane, in_plane);
+
+  // Below this sine, 1e-4, rounding would dominate the direction; the lobe is round there.
+  bool parallel = length2 < 1.0e-8;
+  vec3 t1 = in_plane * inversesqrt(max(length2, 1.0e-8));
+  // Uniform shortcut: no lane looks along its normal.
+  if (parallel) {
+    t1 = ltc_any_perpendicular(n);
+  }
+
+  ltc_Frame frame;
+  frame.t1 = t1;
+  frame.t2 = cross(n, t1);
+  frame.n = n;
+  return frame;
+}
+
+// A vector of world space in shading space.
+vec3 ltc_to_shading(ltc_Frame frame, vec3 v_world) {
+  return vec3(dot(frame.t1, v_world), dot(frame.t2, v_world), dot(frame.n, v_world));
+}
+
+// ---- ggx ----------------------------------------------------------------------------------------
+//
+// Trowbridge-Reitz (GGX) microfacet reflection with height-correlated Smith masking.
+//
+// Sources:
+//   Walter, Marschner, Li, Torrance 2007, "Microfacet Models for Refraction through Rough
+//     Surfaces", equation 33 (D);
+//   Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
+//     equations 72 and 99 (Lambda, height-correlated G2);
+//   Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", equation 24 (F);
+//   Dupuy, Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps", listing 3 (sampling).
+//
+// All directions are unit, in shading space, and point away from the surface.
+
+// Microfacet width from the artists' perceptual roughness, both 0..1.
+float ltc_alpha_from_roughness(float roughness) {
+  return max(roughness * roughness, ltc_k_min_alpha);
+}
+
+// Distribution of normals D(h), 1/steradian; integral of D cos over the hemisphere is 1.
+//
+// With tan terms kept apart, h.x^2 + h.y^2 + alpha^2 h.z^2, nothing cancels at low roughness, as
+// it does in cos^2 (alpha^2 - 1) + 1.
+float ltc_ggx_distribution(vec3 h, float alpha) {
+  float alpha2 = alpha * alpha;
+  float t = h.x * h.x + h.y * h.y + alpha2 * h.z * h.z;
+  return alpha2 * ltc_k_inv_pi / max(t * t, ltc_k_tiny);
+}
+
+// Visibility V = G2 / (4 cos_o cos_i): the BRDF's denominator is already inside.
+float ltc_smith_visibility(float cos_o, float cos_i, float alpha) {
+  float alpha2 = alpha * alpha;
+  float lambda_o = cos_i * sqrt(cos_o * cos_o * (1.0 - alpha2) + alpha2);
+  float lambda_i = cos_o * sqrt(cos_i * cos_i * (1.0 - alpha2) + alpha2);
+  return 0.5 / max(lambda_o + lambda_i, ltc_k_tiny);
+}
+
+// (1 - cos)^5, the weight of F90 in Schlick's approximation.
+float ltc_schlick_weight(float o_dot_h) {
+  float m = min(max(1.0 - o_dot_h, 0.0), 1.0);
+  float m2 = m * m;
+  return m2 * m2 * m;
+}
+
+// schlick_weight at the microfacet that reflects one unit direction into the other, from their
+// cosine: wo.h = sqrt((1 + wo.wi) / 2).
+float ltc_schlick_weight_between(float o_dot_i) {
+  return ltc_schlick_weight(sqrt(max(0.5 + 0.5 * o_dot_i, 0.0)));
+}
+
+// A GGX evaluation with Fresnel kept apart: f_s cos = f0 * scale + (f90 - f0) * bias.
+struct ltc_GgxTerms {
+  float scale; // D V cos_i
+  float bias;  // D V cos_i (1 - wo.h)^5
+};
+
+// D V cos_i and its Schlick part for a pair of directions; zero below the horizon.
+ltc_GgxTerms ltc_eval_ggx_terms(vec3 wo, vec3 wi, float alpha) {
+  vec3 sum = wo + wi;
+  vec3 h = sum * inversesqrt(max(dot(sum, sum), ltc_k_tiny));
+  float cos_o = wo.z;
+  float cos_i = wi.z;
+  bool above = cos_i > 0.0 && cos_o > 0.0;
+  float dv = ltc_ggx_distribution(h, alpha) *
+             ltc_smith_visibility(max(cos_o, 0.0), max(cos_i, 0.0), alpha);
+  ltc_GgxTerms terms;
+  terms.scale = above ? dv * cos_i : 0.0;
+  terms.bias = terms.scale * ltc_schlick_weight(dot(wo, h));
+  return terms;
+}
+
+// ---- lobe ---------------------------------------------------------------------------------------
+//
+// The lobe: a linearly transformed cosine.
+//
+// Source: Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly
+// Transformed Cosines", equations 1, 2 and section 3.
+//
+// D_o(o) = max(0, o.z)/pi is the cosine on the hemisphere. A matrix M carries directions from
+// cosine space to shading space, w = M o / |M o|, and D_o to the lobe
+//   D(w) = D_o(o/|o|) |det M^-1| / |o|^3 = max(0, o.z) |det M^-1| / (pi |o|^4),   o = M^-1 w.
+// An isotropic BRDF is symmetric about the plane of incidence, so M^-1 is, with row 1 scaled to 1,
+//   [ m00  0  m02 ]
+//   [  0   1   0  ]
+//   [ m20  0  m22 ].
+
+// A lobe by its matrix M^-1.
+struct ltc_Lobe {
+  float m00; // M^-1, shading space to cosine space
+  float m02; // row 0, column 2
+  float m20; // row 2, column 0
+  float m22; // row 2, column 2
+  float det; // det M^-1 = m00 m22 - m02 m20, positive
+};
+
+// The lobe of these elements, whose determinant is positive.
+ltc_Lobe ltc_make_lobe(float m00, float m02, float m20, float m22) {
+  ltc_Lobe lobe;
+  lobe.m00 = m00;
+  lobe.m02 = m02;
+  lobe.m20 = m20;
+  lobe.m22 = m22;
+  lobe.det = m00 * m22 - m02 * m20;
+  return lobe;
+}
+
+// The lobe of Lambert's BRDF: M = identity.
+ltc_Lobe ltc_cosine_lobe() { return ltc_make_lobe(1.0, 0.0, 0.0, 1.0); }
+
+// The lobe from its native packing in the mirror frame.
+//
+// With x' = (cos, 0, sin), z' = (-sin, 0, cos), z' being the mirror direction of wo,
+//   M^-1 = [ A 0 aB ; 0 1 0 ; aC 0 aD ] [ x' ; y ; z' ],   a = alpha.
+// As alpha vanishes A tends to cos and D to 2 cos: four smooth, bounded functions, which
+// therefore interpolate well down to a mirror. Multiplied out:
+//   m00 = A cos - a B sin     m02 = A sin + a B cos
+//   m20 = a (C cos - D sin)   m22 = a (C sin + D cos).
+ltc_Lobe ltc_lobe_from_mirror(vec4 abcd, float alpha, float cos_theta) {
+  float sin_theta = sqrt(max(1.0 - cos_theta * cos_theta, 0.0));
+  float b = alpha * abcd.y;
+  ltc_Lobe lobe;
+  lobe.m00 = abcd.x * cos_theta - b * sin_theta;
+  lobe.m02 = abcd.x * sin_theta + b * cos_theta;
+  lobe.m20 = alpha * (abcd.z * cos_theta - abcd.w * sin_theta);
+  lobe.m22 = alpha * (abcd.z * sin_theta + abcd.w * cos_theta);
+  lobe.det = alpha * (abcd.x * abcd.w - alpha * abcd.y * abcd.z);
+  return lobe;
+}
+
+// M^-1 v: a vector of shading space in cosine space, not normalised.
+vec3 ltc_to_cosine(ltc_Lobe lobe, vec3 v) {
+  return vec3(lobe.m00 * v.x + lobe.m02 * v.z, v.y, lobe.m20 * v.x + lobe.m22 * v.z);
+}
+
+// M o up to a positive scale: the adjugate of M^-1 applied to a vector of cosine space.
+vec3 ltc_from_cosine(ltc_Lobe lobe, vec3 o) {
+  return vec3(lobe.m22 * o.x - lobe.m02 * o.z, lobe.det * o.y, lobe.m00 * o.z - lobe.m20 * o.x);
+}
+
+// An upper bound of the square by which M^-1 lengthens a vector: its Frobenius norm.
+float ltc_lobe_stretch2(ltc_Lobe lobe) {
+  return 1.0 + lobe.m00 * lobe.m00 + lobe.m02 * lobe.m02 + lobe.m20 * lobe.m20 +
+         lobe.m22 * lobe.m22;
+}
+
+// The surface's normal in cosine space, unit: M^T z ~ (-m20, 0, m00), the normal of the plane to
+// which M^-1 takes the horizon.
+vec3 ltc_horizon_normal_cosine(ltc_Lobe lobe) {
+  float length2 = lobe.m00 * lobe.m00 + lobe.m20 * lobe.m20;
+  float inv_length = inversesqrt(max(length2, ltc_k_tiny));
+  return vec3(-lobe.m20 * inv_length, 0.0, lobe.m00 * inv_length);
+}
+
+// Integral of the lobe over the directions above the surface's horizon, 0..1; the rest leaks.
+//
+// In cosine space those directions are a lune, between the cosine's own horizon with normal z and
+// the surface's with normal m. Lambert's edge sum over its two edges, half circles of length pi,
+// makes (z + m) / 2 of it: the z component is this share, (1 + cos g) / 2 with g between z and m.
+float ltc_share_above_horizon(ltc_Lobe lobe) {
+  return 0.5 + 0.5 * ltc_horizon_normal_cosine(lobe).z;
+}
+
+// Mean direction of the part of the lobe above the horizon, shading space, not normalised: (z + m)
+// / 2, the whole vector of that edge sum, carried back by M.
+vec3 ltc_mean_above_horizon(ltc_Lobe lobe) {
+  vec3 m = ltc_horizon_normal_cosine(lobe);
+  float z = m.z + 1.0;
+  return vec3(lobe.m22 * m.x - lobe.m02 * z, 0.0, lobe.m00 * z - lobe.m20 * m.x);
+}
+
+// Density D(w) per solid angle, 1 over the whole sphere; the lobe may reach below the horizon.
+float ltc_eval_lobe(ltc_Lobe lobe, vec3 wi_shading) {
+  vec3 o = ltc_to_cosine(lobe, wi_shading);
+  // Two divisions by |o|^2 instead of one by |o|^4 keep single precision from overflowing.
+  float inv_length2 = 1.0 / max(dot(o, o), ltc_k_tiny);
+  return max(o.z, 0.0) * inv_length2 * (lobe.det * inv_length2) * ltc_k_inv_pi;
+}
+
+// ---- table --------------------------------------------------------------------------------------
+//
+// A fitted lobe and the amplitudes that belong to it, looked up in a table.
+//
+// Axes of the native table, node (0,0) at roughness 0 and normal incidence:
+//   x = sqrt(alpha) = roughness,   y = sqrt(1 - cos theta).
+// Node i of N lies at i/(N-1) of its axis.
+//
+// The prelude of each target gives a look-up with bilinear interpolation, `at` clamped to [0, 1]:
+//   LobeTexel lobe_table_texel(LobeTable, Vec2 at)
+//     .coefficients, Vec4  the mirror-frame coefficients A B C D
+//     .amplitudes, Vec2    n1 = integral of D V cos, n5 = integral of D V cos (1 - wo.h)^5
+//     .second_weight       share of n1 that the second lobe has, 0 in a table of one lobe
+//   bool lobe_table_has_second(LobeTable)
+//   Vec4 lobe_table_second(LobeTable, Vec2 at)  A B C D of the second lobe, where there is one
+
+// The lobe of a roughness and a view angle, and its amplitudes.
+struct ltc_FittedLobe {
+  ltc_Lobe lobe; // normalised: its integral is 1
+  float n1;      // directional albedo for F = 1
+  float n5;      // its Schlick-weighted part
+};
+
+// Amplitude of the specular lobe: F0 n1 + (F90 - F0) n5, the albedo of the whole lobe.
+vec3 ltc_specular_amplitude(ltc_FittedLobe fitted, vec3 f0, vec3 f90) {
+  return f0 * fitted.n1 + (f90 - f0) * fitted.n5;
+}
+
+// ---- polynomial ---------------------------------------------------------------------------------
+//
+// Fitted lobes without a table: a polynomial for each channel.
+//
+// With u = 2 sqrt(alpha) - 1 and v = 2 sqrt(1 - cos theta) - 1, both in [-1, 1] and the axes of the
+// native table (table.glsl), each of A, B, C, D (the mirror packing, lobe.glsl), n1 and s is
+//   sum over i + j <= degree of c_ij T_i(u) T_j(v),
+// T_n being Chebyshev's polynomials, T_0 = 1, T_1 = x, T_n+1 = 2 x T_n - T_n-1. They stay within
+// 1, so the coefficients show what each term is worth, and single precision loses nothing.
+//
+// Terms are numbered with j slow, from 0, and i fast, from 0 to degree - j. The prelude of each
+// target gives
+//   int  lobe_polynomial_degree(LobePolynomial)
+//   Vec4 lobe_polynomial_mirror(LobePolynomial, term)      c_ij of A B C D
+//   Vec2 lobe_polynomial_amplitudes(LobePolynomial, term)  c_ij of n1 s
+//
+// s = (n5 / n1)^(1/5) stands in for n5: Schlick's (1 - cos)^5 is of degree ten in v, its root of
+// degree two. A dielectric's reflection, .04 n1 + .96 n5, hangs on n5 where that is small.
+
+// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width, float cos_theta) {
+  float a = min(max(alpha, ltc_k_min_alpha), 1.0);
+  float c = min(max(cos_theta, 0.0), 1.0);
+  float u = 2.0 * sqrt(a) - 1.0;
+  float v = 2.0 * sqrt(1.0 - c) - 1.0;
+  float u_twice = u + u;
+  float v_twice = v + v;
+
+  // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
+  // at T_j(v) instead of 1. All channels share it.
+  int degree = ltc_lobe_polynomial_degree();
+  vec4 abcd = vec4(0.0, 0.0, 0.0, 0.0);
+  vec2 amplitudes = vec2(0.0, 0.0);
+  float t_v = 1.0;
+  float t_v_before = v;
+  int term = 0;
+  for (int j = 0; j <= degree; ++j) {
+    float product = t_v;
+    float product_before = u * t_v;
+    for (int i = 0; i <= degree - j; ++i) {
+      abcd = abcd + ltc_lobe_polynomial_mirror(term) * product;
+      amplitudes = amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
+      float next = u_twice * product - product_before;
+      product_before = product;
+      product = next;
+      ++term;
+    }
+    float t_v_next = v_twice * t_v - t_v_before;
+    t_v_before = t_v;
+    t_v = t_v_next;
+  }
+
+  ltc_FittedLobe fitted;
+  fitted.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  fitted.lobe.det = max(fitted.lobe.det, ltc_k_tiny);
+  fitted.n1 = max(amplitudes.x, 0.0);
+  float s = min(max(amplitudes.y, 0.0), 1.0);
+  float s2 = s * s;
+  fitted.n5 = fitted.n1 * (s2 * s2 * s);
+  return fitted;
+}
+
+// The same of a microfacet BRDF, which reflects no more than it receives: n1 in [0, 1].
+ltc_FittedLobe ltc_eval_lobe_polynomial(float alpha, float cos_theta) {
+  ltc_FittedLobe fitted = ltc_eval_lobe_polynomial_of_width(alpha, alpha, cos_theta);
+  float excess = max(fitted.n1, 1.0);
+  fitted.n1 = fitted.n1 / excess;
+  fitted.n5 = fitted.n5 / excess;
+  return fitted;
+}
+
+// ---- edge ---------------------------------------------------------------------------------------
+//
+// Edges of what a lobe is integrated over: clipped to both horizons, closed at an apex.
+//
+// Sources:
+//   Lambert 1760; Baum, Rushmeier, Winget 1989, "Improving Radiosity Solutions Through the Use of
+//     Analytically Determined Form-Factors", equation 9 (edge sum);
+//   Heitz, Dupuy, Hill, Neubelt 2016, equations 4 to 11 (the integral under M^-1).
+//
+// For a polygon in cosine space, wholly above its horizon,
+//   E = 1/(2 pi) sum over edges of theta_k (a_k x b_k)_z / |a_k x b_k|,
+// theta_k being the angle between the edge's end points a_k and b_k as seen from the origin.
+//
+// Two horizons bound what counts: the surface's, z >= 0 before M^-1, and the cosine's, z_o >= 0
+// after it. Together they leave a wedge whose apex is the line through the origin along which both
+// planes meet. M^-1 keeps the y axis (see lobe.glsl), so that line is the y axis in either space.
+//
+// Each edge is clipped to the wedge by itself. Where it enters or leaves, the outline of the
+// clipped polygon continues along one of the two planes, and we close it by an arc to the apex: to
+// +y or -y, whichever the polygon's plane meets. Arcs on the same plane telescope, whatever the
+// order of the edges, so concave outlines, holes and any number of vertices need no clip buffer and
+// no search for neighbours: the result is a plain sum over edges. The arc to the apex q = (0, s, 0)
+// has (p x q)_z = s p_x.
+
+// 1 / |v|, finite for the origin too: what is added vanishes beside lengths above 1e-8.
+float ltc_inverse_length(vec3 v) {
+  return inversesqrt(v.x * v.x + (v.y * v.y + (v.z * v.z + ltc_k_least_length2)));
+}
+
+// v / |v|, or the normal where v has no direction to speak of.
+vec3 ltc_safe_direction(vec3 v) {
+  float length2 = dot(v, v);
+  bool usable = length2 > ltc_k_tiny;
+  return usable ? v * inversesqrt(max(length2, ltc_k_tiny)) : vec3(0.0, 0.0, 1.0);
+}
+
+// theta / sin(theta) from x = cos(theta), for 0 <= theta <= pi/2; of -x for x < 0.
+//
+// A rational minimax fit of degree 3/3, relative error 1.0e-9; smooth at 1, so that a cosine that
+// rounding took beyond does no harm.
+float ltc_acute_over_sin(float x) {
+  float y = abs(x);
+  float p = 1.5707963252152057 +
+            y * (1.638642066993385 + y * (0.35581734455759484 + y * 0.004572514079188905));
+  float q = 1.0 + y * (1.679811571269012 + y * (0.7959248032398663 + y * 0.09409187287776444));
+  return p * (1.0 / q);
+}
+
+// theta / sin(theta) for 0 <= theta < pi, from `acute`, that of x = cos(theta), and sin2 =
+// sin(theta)^2: beyond a right angle theta = pi - theta', which is exact. It grows without bound
+// towards x = -1, where 1 - x^2 has no digits left; so the caller, who knows the vectors, passes
+// sin2 as well.
+float ltc_any_over_sin(float x, float sin2, float acute) {
+  float inv_sin = inversesqrt(max(sin2, ltc_k_tiny));
+  return x < 0.0 ? ltc_k_pi * inv_sin - acute : acute;
+}
+
+// theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
+float ltc_theta_over_sin(float x, float sin2) {
+  float acute = ltc_acute_over_sin(x);
+  // Uniform shortcut: no lane's angle is beyond a right one.
+  if (!(x < 0.0)) {
+    return acute;
+  }
+  return ltc_any_over_sin(x, sin2, acute);
+}
+
+// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
+// itself so that the cross product of a small, far edge does not cancel. Never longer than pi: a
+// vector over its length, times an angle.
+//
+// inv_a, inv_b: one over the lengths of a and b.
+vec3 ltc_edge_term_scaled(vec3 a, vec3 b, vec3 d, float inv_a, float inv_b) {
+  float scale = inv_a * inv_b;
+  vec3 c = cross(a, d);
+  float x = dot(a, b) * scale;
+  float weight = ltc_acute_over_sin(x);
+  if (x < 0.0) {
+    weight = ltc_any_over_sin(x, dot(c, c) * scale * scale, weight);
+  }
+  return c * (scale * weight);
+}
+
+// edge_term_scaled, which finds the inverse lengths of a and b by itself.
+vec3 ltc_edge_term(vec3 a, vec3 b, vec3 d) {
+  return ltc_edge_term_scaled(a, b, d, ltc_inverse_length(a), ltc_inverse_length(b));
+}
+
+// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
+vec3 ltc_apex_term(vec3 p, float inv_p, float s) {
+  vec3 u = p * inv_p;
+  float weight = s * ltc_theta_over_sin(s * u.y, u.x * u.x + u.z * u.z);
+  return vec3(-weight * u.z, 0.0, weight * u.x);
+}
+
+// Where an edge crosses a plane, in units of the edge; a, b: heights of its ends, of which one is below
+// and the other not. The division is of their sizes, so that it stays within 0..1 whatever rounding
+// does.
+float ltc_crossing_place(float a, float b) {
+  return abs(a) * (1.0 / max(abs(a) + abs(b), ltc_k_tiny));
+}
+
+// The part of an edge above a plane, in units of the edge; whole where both ends are above.
+struct ltc_Span {
+  float t0; // where it begins, 0..1
+  float t1; // where it ends, 0..1
+};
+
+// a, b: heights of the ends, of which one at least is not below.
+ltc_Span ltc_span_above(float a, float b) {
+  float t = ltc_crossing_place(a, b);
+  ltc_Span span;
+  span.t0 = a < 0.0 ? t : 0.0;
+  span.t1 = b < 0.0 ? t : 1.0;
+  return span;
+}
+
+// What is left of an edge within the wedge.
+struct ltc_ClippedEdge {
+  vec3 p0;      // cosine space
+  vec3 p1;      // its end; p0 is its beginning
+  float extent; // in units of the edge
+  bool outside; // whether nothing is left
+};
+
+// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
+ltc_ClippedEdge ltc_clip_edge(vec3 a_o, vec3 b_o, float a_z, float b_z) {
+  ltc_Span surface = ltc_span_above(a_z, b_z);
+  ltc_Span cosine = ltc_span_above(a_o.z, b_o.z);
+  float t0 = max(surface.t0, cosine.t0);
+  float t1 = min(surface.t1, cosine.t1);
+  ltc_ClippedEdge edge;
+  // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
+  // length left but still opens or closes the outline there.
+  edge.outside = (a_z < 0.0 && b_z < 0.0) || (a_o.z < 0.0 && b_o.z < 0.0) || t0 > t1;
+  vec3 d = b_o - a_o;
+  edge.p0 = a_o + d * t0;
+  edge.p1 = a_o + d * t1;
+  edge.extent = t1 - t0;
+  // A point cut at the cosine's horizon lies on it: seen near the apex, what rounding leaves of its
+  // height would tilt the arc that closes.
+  edge.p0.z = cosine.t0 > surface.t0 ? 0.0 : max(edge.p0.z, 0.0);
+  edge.p1.z = cosine.t1 < surface.t1 ? 0.0 : max(edge.p1.z, 0.0);
+  return edge;
+}
+
+// Angle of a unit vector (c, s) from (1, 0), -pi..pi.
+float ltc_angle_of_unit(float c, float s) {
+  float acute = s * ltc_acute_over_sin(c);
+  float half_turn = s < 0.0 ? -ltc_k_pi : ltc_k_pi;
+  return c < 0.0 ? half_turn - acute : acute;
+}
+
+// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
+// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
+// counts as it is.
+struct ltc_EdgeAbove {
+  vec3 term;      // its contribution to the vector irradiance, times 2 pi
+  float turn_cos; // 1 where nothing was cut
+  float turn_sin; // 0 where nothing was cut
+};
+
+// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
+ltc_EdgeAbove ltc_edge_above(vec3 a, vec3 b, float s, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  vec3 d = b - a;
+  float t = ltc_crossing_place(a.z, b.z);
+  vec3 q = vec3(a.x + d.x * t, a.y + d.y * t, 0.0);
+  float inv_q = ltc_inverse_length(q);
+  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
+  ltc_EdgeAbove edge;
+  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
+                                   b_up ? inv_b : inv_q);
+  edge.term = a_up || b_up ? edge.term : vec3(0.0, 0.0, 0.0);
+  bool leaves = a_up && !b_up;
+  bool enters = b_up && !a_up;
+  float inv_s = inv_q * s;
+  float x = q.x * inv_s;
+  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
+  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
+  return edge;
+}
+
+// The same with the turn added: the diffuse part of an edge.
+vec3 ltc_edge_term_above(vec3 a, vec3 b, float s, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  // Uniform shortcuts: no lane needs to clip, or none has anything left.
+  if (a_up && b_up) {
+    return ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
+  }
+  if (!(a_up || b_up)) {
+    return vec3(0.0, 0.0, 0.0);
+  }
+  ltc_EdgeAbove edge = ltc_edge_above(a, b, s, inv_a, inv_b);
+  edge.term.z = edge.term.z + ltc_angle_of_unit(edge.turn_cos, edge.turn_sin);
+  return edge.term;
+}
+
+// One edge of an outline, clipped to the wedge and closed towards the apex where it was cut. An
+// outline passes the inverse lengths of its points on from edge to edge.
+vec3 ltc_clipped_edge_term_scaled(vec3 a_o, vec3 b_o, float a_z, float b_z, float s, float inv_a,
+                                  float inv_b) {
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  bool a_inside = a_z >= 0.0 && a_o.z >= 0.0;
+  bool b_inside = b_z >= 0.0 && b_o.z >= 0.0;
+  // Uniform shortcuts: no lane needs to clip, or none has anything left.
+  if (a_inside && b_inside) {
+    return ltc_edge_term_scaled(a_o, b_o, b_o - a_o, inv_a, inv_b);
+  }
+  if (!((a_z >= 0.0 || b_z >= 0.0) && (a_o.z >= 0.0 || b_o.z >= 0.0))) {
+    return none;
+  }
+  ltc_ClippedEdge edge = ltc_clip_edge(a_o, b_o, a_z, b_z);
+  // Nearly always one end at most was cut, q.
+  vec3 q = a_inside ? edge.p1 : edge.p0;
+  float inv_q = ltc_inverse_length(q);
+  float inv_p1 = b_inside ? inv_b : inv_q;
+  float leaves = a_inside ? (b_inside ? 0.0 : 1.0) : -1.0;
+  vec3 closing = ltc_apex_term(q, inv_q, s) * leaves;
+  bool both = !a_inside && !b_inside && !edge.outside;
+  if (both) {
+    float inv_end = ltc_inverse_length(edge.p1);
+    inv_p1 = inv_end;
+    closing = closing + ltc_apex_term(edge.p1, inv_end, s);
+  }
+  // An end that was not cut stays the very point whose inverse length is known.
+  vec3 sum = ltc_edge_term_scaled(edge.p0, b_inside ? b_o : edge.p1, (b_o - a_o) * edge.extent,
+                                  a_inside ? inv_a : inv_q, inv_p1) + closing;
+  return edge.outside ? none : sum;
+}
+
+// The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own
+// closing cancels it. Whether the common point is inside, both find by themselves, and rounding
+// may make them disagree; this way that does not matter.
+vec3 ltc_closed_edge_term(vec3 a_o, vec3 b_o, float a_z, float b_z, float s) {
+  ltc_ClippedEdge edge = ltc_clip_edge(a_o, b_o, a_z, b_z);
+  float inv_p0 = ltc_inverse_length(edge.p0);
+  float inv_p1 = ltc_inverse_length(edge.p1);
+  vec3 sum = ltc_edge_term_scaled(edge.p0, edge.p1, (b_o - a_o) * edge.extent, inv_p0, inv_p1) +
+             ltc_apex_term(edge.p1, inv_p1, s) - ltc_apex_term(edge.p0, inv_p0, s);
+  return edge.outside ? vec3(0.0, 0.0, 0.0) : sum;
+}
+
+// ---- light --------------------------------------------------------------------------------------
+//
+// What lights of all shapes share: their integral, a point of one, and the planes of flat ones.
+//
+// A shape X has a file of its own, and there, named alike:
+//   integrate_X     its integral as a point sees it, for Lambert and for a lobe
+//   X_heights       its extent over a plane through the point
+//   surface_X_integral   the integral as a surface sees it: none without a side of a flat light, and
+//                   without what the surface's triangle hides
+//   shade_X_parts, shade_X   the light that the surface reflects of it, for radiance 1 and without shadow
+//   X_seen          what sampling wants to know of it and of the point, once for all samples
+//   sample_X, intersect_X, pdf_X   a point of it from random numbers, or where a ray meets it; its density.
+//                   No ray meets a line
+
+// What shading wants to know of a light of radiance 1, whatever its shape, without shadow.
+//
+// Both integrals are z components of vector irradiances, in shading space and in cosine space. The
+// vectors' directions are the mean directions of the part of the light that counts; of the
+// specular one, carried back by M, shading takes the Fresnel reflectance.
+struct ltc_LightIntegral {
+  float diffuse;           // integral of cos/pi over the light, 0..1
+  float specular;          // integral of the lobe's density, both horizons respected, 0..1
+  vec3 diffuse_direction;  // shading space, unit
+  vec3 specular_direction; // shading space, unit
+  float second;            // integral of a second lobe's density, see with_second_lobe; else 0
+  float concentration;     // cosine space, 0..1: 1 for a light so small that it lies in one direction
+};
+
+// How closely a light keeps to its mean direction in cosine space, 0..1: R^4 (1 - |Phi|).
+//
+// R is the length of the mean of the unit vectors to the points that make up the light's outline: its
+// cosine for a cone, 1 for a point, near 0 for a wall on all sides; outline2 is its square. Phi is the
+// vector irradiance, which is as long as 1 for a light that is all around.
+float ltc_light_concentration(float outline2, float vector_irradiance) {
+  float rest = max(1.0 - vector_irradiance, 0.0);
+  return min(outline2 * outline2, 1.0) * rest;
+}
+
+// From the vector irradiances times 2 pi; outline2: see light_concentration.
+ltc_LightIntegral ltc_light_integral(vec3 diffuse, vec3 specular, ltc_Lobe lobe, float outline2) {
+  ltc_LightIntegral result;
+  result.diffuse = min(max(diffuse.z * ltc_k_half_inv_pi, 0.0), 1.0);
+  result.specular = min(max(specular.z * ltc_k_half_inv_pi, 0.0), 1.0);
+  result.second = 0.0;
+  result.diffuse_direction = ltc_safe_direction(diffuse);
+  result.specular_direction = ltc_safe_direction(ltc_from_cosine(lobe, specular));
+  result.concentration = ltc_light_concentration(outline2,
+                                                 sqrt(dot(specular, specular)) * ltc_k_half_inv_pi);
+  return result;
+}
+
+// Heights of a light's lowest and highest point over a plane through the shaded point, metres.
+struct ltc_Heights {
+  float low;  // of the lowest point, metres
+  float high; // of the highest one, metres
+};
+
+// Both 0, where nothing is asked of them.
+ltc_Heights ltc_no_heights() {
+  ltc_Heights heights;
+  heights.low = 0.0;
+  heights.high = 0.0;
+  return heights;
+}
+
+// Whether a point lies in a light's plane as far as can be told: h, its distance, is no more than
+// that to which the point is known, whose square is `error2`, or than what rounding makes of 0. Such a
+// point has no side, and gets no light. `to_origin` leads from the point to any point of the plane.
+bool ltc_lies_in_plane(float h, vec3 to_origin, float error2) {
+  return h * h <=
+         max(error2, ltc_k_plane_rounding * ltc_k_plane_rounding * dot(to_origin, to_origin));
+}
+
+// ---- surface ------------------------------------------------------------------------------------
+//
+// A shaded point: the reflectance equation for the lights of this project.
+//
+//   L_o = integral of (k_d c/pi + f_s) L_i cos_i,   f_s = D V F (GGX, Smith, Schlick).
+//
+// The diffuse part is what the specular one leaves, k_d = (1 - metallic)(1 - E_spec(wo)), with
+// E_spec the specular albedo that comes with the lobe: it does not depend on wi, so Lambert stays a
+// cosine and its polygon integral exact.
+//
+// The lobe integrates to 1 over the sphere and may reach below the surface, where no light comes
+// from. f_s cos_i is therefore n1 F times the lobe divided by its share above the horizon: what
+// light from all sides reflects is n1 F, the albedo, and nothing leaks. Of two lobes each has its own
+// share above the horizon, and a weight of the whole.
+
+// A point of a surface, ready to be shaded by any light.
+struct ltc_Surface {
+  vec3 position;          // world space
+  // Square of the metres within which it is known; make_surface assumes single precision.
+  float position_error2;
+  ltc_Frame frame;        // shading space
+  vec3 wo;                // shading space: (sin theta, 0, cos theta)
+  float alpha;            // microfacet width, roughness^2
+  vec3 diffuse;           // k_d c, albedo of the Lambertian part
+  vec3 f0;                // specular reflectance at normal incidence
+  vec3 f90;               // and at grazing incidence
+  ltc_FittedLobe fitted;  // the lobe for this roughness and view
+  vec3 specular;          // F0 n1 + (F90 - F0) n5, the specular albedo
+  float axis_weight;      // n5/n1 less Schlick's weight in the lobe's mean direction
+  float inv_share;        // weight of the lobe, 1 if it is the only one, over its share_above_horizon
+  ltc_Lobe second;        // the second lobe
+  float second_inv_share; // its weight over its share above the horizon
+  // Of the triangle, unit, world space, on the viewer's side; make_surface assumes the shading normal.
+  vec3 geometric;
+  // Whether the two differ in any lane: then what lies behind the triangle's plane is hidden by it.
+  bool tilted;
+  // Whether lights take the BRDF's own value in their mean direction: see blended_ratio.
+  bool corrected;
+  float max_ratio;        // most that this may multiply a light by
+};
+
+// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
+float ltc_fresnel_weight(vec3 wo, vec3 wi) {
+  return ltc_schlick_weight_between(wo.x * wi.x + wo.z * wi.z);
+}
+
+// Prepares a point for shading. `fitted` is the lobe of alpha_from_roughness(roughness) and
+// dot(normal, wo_world), from a table or a polynomial. `normal` and `wo_world` are unit; `albedo`
+// is (1 - metallic) c.
+ltc_Surface ltc_make_surface(ltc_FittedLobe fitted, vec3 position, vec3 normal, vec3 wo_world,
+                             vec3 albedo, vec3 f0, vec3 f90, float roughness) {
+  ltc_Surface s;
+  s.position = position;
+  s.position_error2 = ltc_k_position_rounding * ltc_k_position_rounding * dot(position, position);
+  s.frame = ltc_shading_frame(normal, wo_world);
+  s.wo = vec3(dot(s.frame.t1, wo_world), 0.0, dot(normal, wo_world));
+  s.alpha = ltc_alpha_from_roughness(roughness);
+  s.f0 = f0;
+  s.f90 = f90;
+  s.fitted = fitted;
+  s.specular = ltc_specular_amplitude(fitted, f0, f90);
+  s.inv_share = 1.0 / max(ltc_share_above_horizon(fitted.lobe), ltc_k_min_share);
+  vec3 mean = ltc_safe_direction(ltc_mean_above_horizon(fitted.lobe));
+  s.axis_weight = fitted.n5 * (1.0 / max(fitted.n1, ltc_k_tiny)) - ltc_fresnel_weight(s.wo, mean);
+  float taken = max(max(s.specular.x, s.specular.y), s.specular.z);
+  s.diffuse = albedo * max(1.0 - taken, 0.0);
+  s.geometric = normal;
+  s.second = fitted.lobe;
+  s.second_inv_share = 0.0;
+  s.tilted = false;
+  s.corrected = false;
+  s.max_ratio = 1.0;
+  return s;
+}
+
+// Density of all the lobes above the horizon, 1 over the hemisphere.
+float ltc_eval_lobes(ltc_Surface s, vec3 wi) {
+  float density = s.inv_share * ltc_eval_lobe(s.fitted.lobe, wi);
+  return density;
+}
+
+// The share that a light fills of all that the lobes have above the horizon, 0..1.
+float ltc_filled_share(ltc_Surface s, ltc_LightIntegral integral) {
+  float share = integral.specular * s.inv_share;
+  return min(share, 1.0);
+}
+
+// Asks for the ratio at the mean direction: see blended_ratio.
+ltc_Surface ltc_correct_at_mean(ltc_Surface s) {
+  s.corrected = true;
+  s.max_ratio = ltc_k_max_ratio;
+  return s;
+}
+
+// Makes known the normal of the triangle that the point is on: unit, world space, on the viewer's side.
+ltc_Surface ltc_set_geometric_normal(ltc_Surface s, vec3 geometric) {
+  vec3 d = geometric - s.frame.n;
+  s.geometric = geometric;
+  s.tilted = dot(d, d) > ltc_k_normal_rounding * ltc_k_normal_rounding;
+  return s;
+}
+
+// Whether the point has a side of a flat light, whose plane holds `origin`: not on the emitter itself
+// or on a wall flush with it, as far as its position is known. Without a side there is no light.
+bool ltc_has_side(ltc_Surface s, vec3 origin, vec3 normal) {
+  vec3 to_origin = origin - s.position;
+  return !ltc_lies_in_plane(dot(to_origin, normal), to_origin, s.position_error2);
+}
+
+// An integral without what lanes have without a side of a flat light.
+ltc_LightIntegral ltc_unless_in_plane(ltc_Surface s, vec3 origin, vec3 normal,
+                                      ltc_LightIntegral integral) {
+  bool sided = ltc_has_side(s, origin, normal);
+  integral.diffuse = sided ? integral.diffuse : 0.0;
+  integral.specular = sided ? integral.specular : 0.0;
+  integral.second = sided ? integral.second : 0.0;
+  return integral;
+}
+
+// An integral without what lanes have that see nothing of the light in front of the triangle's plane.
+ltc_LightIntegral ltc_unless_hidden(ltc_Surface s, ltc_Heights heights,
+                                    ltc_LightIntegral integral) {
+  bool seen = heights.high > 0.0 && heights.high * heights.high > s.position_error2;
+  integral.diffuse = seen ? integral.diffuse : 0.0;
+  integral.specular = seen ? integral.specular : 0.0;
+  integral.second = seen ? integral.second : 0.0;
+  return integral;
+}
+
+// A part of the hemisphere reflects no more than the whole, s.specular.
+vec3 ltc_within_albedo(ltc_Surface s, vec3 part) {
+  return vec3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
+}
+
+// The normal of the triangle in shading space.
+vec3 ltc_front_shading(ltc_Surface s) { return ltc_to_shading(s.frame, s.geometric); }
+
+// The share `filled` of n1 with this weight of F90 over F0, within the albedo.
+vec3 ltc_reflectance_of_weight(ltc_Surface s, float weight, float filled) {
+  vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, 0.0), 1.0);
+  return ltc_within_albedo(s, fresnel * (s.fitted.n1 * filled));
+}
+
+// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
+// from around wi.
+//
+// F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
+// from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
+// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus what the
+// whole lobe has beyond its mean direction in proportion to the share: exact for a small light,
+// w(wi), and for one that fills the hemisphere, n5/n1.
+//
+// `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
+vec3 ltc_reflectance_of_part(ltc_Surface s, vec3 wi, float share, float filled) {
+  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + share * s.axis_weight, filled);
+}
+
+// What the specular part of a light is multiplied by so that a small one is exact: near its mean
+// direction wi the BRDF is larger than the lobe by
+//   r = rho / (n1 D),  rho = D V cos of GGX, D the lobe's density above the horizon.
+// A light that fills the whole lobe has n1 whatever its shape, so 1 is right for that. Between the two,
+// with w the light's concentration times what it leaves of the lobe,
+//   1 - w (1 - min(r, 1/r)),   or one over that where r > 1:
+// as much up as down, smooth at r = 1, within r and 1 and within 1 - w and 1 / (1 - w), so that a quotient
+// of two small numbers does no harm where a light is large. It is not additive: two halves of a quad
+// differ from the whole by 2 in 100 in the mean, five walls of a furnace by up to 4: see docs/method.md.
+float ltc_blended_ratio(ltc_Surface s, vec3 wi, float w) {
+  float lobe = s.fitted.n1 * ltc_eval_lobes(s, wi);
+  float rho = min(ltc_eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
+  float larger = max(max(rho, lobe), ltc_k_tiny);
+  // Rounding of w, a mean, must not make it negative.
+  float ratio = max(1.0 - w * (1.0 - min(rho, lobe) / larger), 0.0);
+  return rho > lobe ? 1.0 / max(ratio, 0.5 / ltc_k_max_ratio) : ratio;
+}
+
+// The weight of the BRDF in that: of a light that fills `share` of the lobe.
+float ltc_ratio_weight(ltc_LightIntegral integral, float share) {
+  return integral.concentration * max(1.0 - share, 0.0);
+}
+
+// Reflected light of a light of radiance 1.
+struct ltc_ShadedLight {
+  vec3 diffuse;  // by the Lambertian part
+  vec3 specular; // by the lobe
+};
+
+// Their sum.
+vec3 ltc_both_parts(ltc_ShadedLight shaded) { return shaded.diffuse + shaded.specular; }
+
+// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
+ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
+  float share = ltc_filled_share(s, integral);
+  ltc_ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  float filled = share;
+  if (s.corrected) {
+    float w = ltc_ratio_weight(integral, share);
+    filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
+  }
+  shaded.specular = ltc_reflectance_of_part(s, integral.specular_direction, share, filled);
+  return shaded;
+}
+
+// ---- cone ---------------------------------------------------------------------------------------
+//
+// Elliptic cones: what ellipses, disks and spheres fill of the directions around a point, and what a
+// linear map makes of that, which is an elliptic cone again. Their vector irradiance, exact and
+// clipped to both horizons.
+//
+// Sources: the cone's axes as eigenvectors, and the whole cone's irradiance, follow Heitz and Hill
+// 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed Cosines". They clip to the
+// horizon by the form factor of a sphere of the same irradiance; here the arcs that are left above
+// the horizons are integrated themselves, which is as exact as the edges of a polygon:
+//
+// In the frame of its axes the cone's outline is the curve of unit vectors
+//   v(t) = (k1 cos t, k2 sin t, N),   N^2 = c1^2 cos^2 t + c2^2 sin^2 t,
+// k and c being the sines and cosines of its half angles along the first two axes (k1 >= k2). With
+// m^2 = k1^2 - k2^2, the integral of v x dv, which is the vector irradiance times 2 pi, is
+//   ( -k2 c1^2 atanh(m sin t / N) / m,   k1 c2^2 atan(m cos t / N) / m,   k1 k2 t ).
+// The whole circle leaves 2 pi k1 k2 along the axis. (Differentiate; v x dv / dt = (-k2 c1^2 cos t,
+// -k1 c2^2 sin t, ...)/N, and N dN = m^2 sin t cos t dt.)
+//
+// A plane through the origin cuts that curve in at most two points, which bound one interval of t.
+// What lies above both horizons is therefore the intersection of two intervals of a circle, at most
+// two pieces, and each is closed by arcs to the wedge's apex as the edges of edge.glsl are.
+
+// An elliptic cone of directions around its apex, the point.
+struct ltc_Cone {
+  vec3 e1;  // orthonormal, right-handed; e3 the axis
+  vec3 e2;  // the second axis, of the smaller half angle
+  vec3 e3;  // the axis of the cone
+  float k1; // sines of the half angles, k1 >= k2
+  float k2; // of the one along e2
+  float c1; // their cosines, c1 <= c2
+  float c2; // of the one along e2
+};
+
+// A symmetric matrix in a basis of its own, on the way to being diagonal.
+struct ltc_Diagonalisation {
+  float s11; // its elements in that basis, by row and column
+  float s22; // see s11
+  float s33; // see s11
+  float s12; // see s11
+  float s13; // see s11
+  float s23; // see s11
+  vec3 e1;   // the basis, orthonormal
+  vec3 e2;   // see e1
+  vec3 e3;   // see e1
+};
+
+// The tangent of the smaller rotation that clears the element `pq` between `pp` and `qq`.
+float ltc_jacobi_tangent(float pp, float qq, float pq) {
+  float d = qq - pp;
+  float root = sqrt(d * d + 4.0 * pq * pq);
+  float t = 2.0 * pq / (d + (d < 0.0 ? -root : root) + ltc_k_tiny);
+  return min(max(t, -1.0), 1.0);
+}
+
+// One sweep of Jacobi's method.
+ltc_Diagonalisation ltc_jacobi_sweep(ltc_Diagonalisation j) {
+  float t = ltc_jacobi_tangent(j.s11, j.s33, j.s13);
+  float c = inversesqrt(1.0 + t * t);
+  float s = t * c;
+  j.s11 = j.s11 - t * j.s13;
+  j.s33 = j.s33 + t * j.s13;
+  j.s13 = 0.0;
+  float s12 = c * j.s12 - s * j.s23;
+  j.s23 = s * j.s12 + c * j.s23;
+  j.s12 = s12;
+  vec3 e1 = j.e1 * c - j.e3 * s;
+  j.e3 = j.e1 * s + j.e3 * c;
+  j.e1 = e1;
+
+  t = ltc_jacobi_tangent(j.s22, j.s33, j.s23);
+  c = inversesqrt(1.0 + t * t);
+  s = t * c;
+  j.s22 = j.s22 - t * j.s23;
+  j.s33 = j.s33 + t * j.s23;
+  j.s23 = 0.0;
+  s12 = c * j.s12 - s * j.s13;
+  j.s13 = s * j.s12 + c * j.s13;
+  j.s12 = s12;
+  vec3 e2 = j.e2 * c - j.e3 * s;
+  j.e3 = j.e2 * s + j.e3 * c;
+  j.e2 = e2;
+
+  t = ltc_jacobi_tangent(j.s11, j.s22, j.s12);
+  c = inversesqrt(1.0 + t * t);
+  s = t * c;
+  j.s11 = j.s11 - t * j.s12;
+  j.s22 = j.s22 + t * j.s12;
+  j.s12 = 0.0;
+  float s13 = c * j.s13 - s * j.s23;
+  j.s23 = s * j.s13 + c * j.s23;
+  j.s13 = s13;
+  e1 = j.e1 * c - j.e2 * s;
+  j.e2 = j.e1 * s + j.e2 * c;
+  j.e1 = e1;
+  return j;
+}
+
+// The cone of directions to the ellipse center + a cos t + b sin t, as seen from the origin. a and
+// b need not be perpendicular. An ellipse seen edge-on gives a flat cone, one around the origin a
+// half-space.
+//
+// With K = [a b center], the directions v = K w, w.x^2 + w.y^2 <= w.z^2, are v' Q v <= 0 with
+// Q = K^-T diag(1, 1, -1) K^-1. Its inverse, S = a a' + b b' - center center', has the same
+// eigenvectors and needs no division. One of its eigenvalues, -q, is negative and belongs to the
+// axis; the others are s_i = q tan^2 of the half angles. The matrix is set up in a basis whose third
+// axis is close to the cone's: then the small elements of a narrow cone are not lost beside the
+// large one, and three sweeps of Jacobi's method find all to the last digits.
+ltc_Cone ltc_make_cone(vec3 center, vec3 a, vec3 b) {
+  float size2 = dot(center, center) + dot(a, a) + dot(b, b);
+  float scale = inversesqrt(max(size2, ltc_k_tiny));
+  vec3 c = center * scale;
+  vec3 p = a * scale;
+  vec3 q = b * scale;
+
+  // Start from the direction to the centre, or from the ellipse's normal where that is closer to
+  // the axis: where S is more negative along it.
+  vec3 n = cross(p, q);
+  n = n * inversesqrt(max(dot(n, n), ltc_k_tiny));
+  float height = dot(n, c);
+  vec3 z_normal = n * (height < 0.0 ? -1.0 : 1.0);
+  float c_length2 = dot(c, c);
+  float inv_c = inversesqrt(max(c_length2, ltc_k_tiny));
+  vec3 z_center = c * inv_c;
+  float along_p = dot(p, z_center);
+  float along_q = dot(q, z_center);
+  bool from_center = along_p * along_p + along_q * along_q - c_length2 < -(height * height);
+
+  ltc_Diagonalisation j;
+  j.e3 = from_center ? z_center : z_normal;
+  j.e1 = ltc_any_perpendicular(j.e3);
+  j.e2 = cross(j.e3, j.e1);
+  vec3 pj = vec3(dot(p, j.e1), dot(p, j.e2), dot(p, j.e3));
+  vec3 qj = vec3(dot(q, j.e1), dot(q, j.e2), dot(q, j.e3));
+  float zero = 0.0;
+  vec3 cj = vec3(from_center ? zero : dot(c, j.e1), from_center ? zero : dot(c, j.e2), dot(c, j.e3));
+  j.s11 = pj.x * pj.x + qj.x * qj.x - cj.x * cj.x;
+  j.s22 = pj.y * pj.y + qj.y * qj.y - cj.y * cj.y;
+  j.s33 = pj.z * pj.z + qj.z * qj.z - cj.z * cj.z;
+  j.s12 = pj.x * pj.y + qj.x * qj.y - cj.x * cj.y;
+  j.s13 = pj.x * pj.z + qj.x * qj.z - cj.x * cj.z;
+  j.s23 = pj.y * pj.z + qj.y * qj.z - cj.y * cj.z;
+  j = ltc_jacobi_sweep(j);
+  j = ltc_jacobi_sweep(j);
+  j = ltc_jacobi_sweep(j);
+
+  // The negative eigenvalue may have come out elsewhere: bring it to the third place.
+  bool first = j.s11 < j.s33 && j.s11 <= j.s22;
+  bool second = j.s22 < j.s33 && j.s22 < j.s11;
+  float s33 = min(min(j.s11, j.s22), j.s33);
+  vec3 e3 = first ? j.e1 : (second ? j.e2 : j.e3);
+  j.s11 = first ? j.s33 : j.s11;
+  j.e1 = first ? j.e3 : j.e1;
+  j.s22 = second ? j.s33 : j.s22;
+  j.e2 = second ? j.e3 : j.e2;
+  j.s33 = s33;
+  j.e3 = e3;
+
+  ltc_Cone cone;
+  float away = dot(j.e3, c) < 0.0 ? -1.0 : 1.0;
+  cone.e3 = j.e3 * away;
+  bool swapped = j.s22 > j.s11;
+  cone.e1 = swapped ? j.e2 : j.e1;
+  cone.e2 = cross(cone.e3, cone.e1);
+  float s1 = max(max(j.s11, j.s22), 0.0);
+  float s2 = max(min(j.s11, j.s22), 0.0);
+  float negative = max(-j.s33, 1.0e-14);
+  // The product of the eigenvalues is -det(K)^2, which keeps its digits where the smallest of them,
+  // a difference of large numbers, has none left: in the flat cones of narrow lobes.
+  float det = abs(dot(cross(p, q), c));
+  float det_over_s1 = det / max(s1, ltc_k_tiny);
+  float small_s2 = min(det_over_s1 * (det / negative), s1);
+  s2 = s2 < 0.01 * min(s1, negative) ? small_s2 : s2;
+  float small_negative = max(det_over_s1 * (det / max(s2, ltc_k_tiny)), 1.0e-14);
+  negative = negative < 0.01 * s2 ? small_negative : negative;
+  float inv1 = inversesqrt(s1 + negative);
+  float inv2 = inversesqrt(s2 + negative);
+  float root = sqrt(negative);
+  cone.k1 = sqrt(s1) * inv1;
+  cone.k2 = sqrt(s2) * inv2;
+  cone.c1 = root * inv1;
+  cone.c2 = root * inv2;
+  return cone;
+}
+
+// More than the extent of an arc that a plane cuts, 9e-5 below 2 pi: a full turn, whose start means
+// nothing, whatever rounding makes of it.
+const float ltc_k_full_turn = 6.2831;
+
+// An interval of the outline's parameter: counter-clockwise from `start`.
+struct ltc_Arc {
+  float start;  // -pi..pi
+  float extent; // 0..2 pi
+};
+
+// The part of the outline above the plane with unit normal `up`.
+//
+// In terms of the circle that the outline is a linear image of, the plane is p cos + q sin + r = 0.
+ltc_Arc ltc_arc_above(ltc_Cone cone, vec3 up) {
+  float ratio = cone.c1 / cone.c2;
+  float p = dot(up, cone.e1) * cone.k1;
+  float q = dot(up, cone.e2) * cone.k2 * ratio;
+  float r = dot(up, cone.e3) * cone.c1;
+  // Of size 1, so that the products below neither vanish nor overflow.
+  float scale = 1.0 / max(max(max(abs(p), abs(q)), abs(r)), ltc_k_tiny);
+  p = p * scale;
+  q = q * scale;
+  r = r * scale;
+  float radius2 = p * p + q * q;
+  float w2 = radius2 - r * r;
+  float w = sqrt(max(w2, 0.0));
+  // The two roots, up to a positive factor, turned from the circle's parameter into the outline's.
+  float start_x = w * q - r * p;
+  float start_y = ratio * (-(w * p) - r * q);
+  float end_x = -(w * q) - r * p;
+  float end_y = ratio * (w * p - r * q);
+  ltc_Arc arc;
+  arc.start = ltc_angle_of(start_x, start_y);
+  float length = ltc_angle_of(start_x * end_x + start_y * end_y, start_x * end_y - start_y * end_x);
+  // Less than half of the outline is above exactly when the axis is not; rounding must not turn a
+  // little into nearly all.
+  float half_turn = 0.5 * ltc_k_pi;
+  float turn = 2.0 * ltc_k_pi;
+  float less = length < -half_turn ? length + turn : max(length, 0.0);
+  float more = length < half_turn ? length + turn : length;
+  arc.extent = min(r < 0.0 ? less : more, turn);
+  bool uncut = w2 <= 0.0;
+  arc.extent = uncut ? (r < 0.0 ? 0.0 : turn) : arc.extent;
+  return arc;
+}
+
+// N of the point with cosine c and sine s of its parameter.
+float ltc_cone_height(ltc_Cone cone, float c, float s) {
+  return sqrt(max(cone.c1 * cone.c1 * c * c + cone.c2 * cone.c2 * s * s, ltc_k_tiny));
+}
+
+// The unit vector v(t), in the space of the cone's axes.
+vec3 ltc_cone_direction(ltc_Cone cone, float t) {
+  float c = cos(t);
+  float s = sin(t);
+  return cone.e1 * (cone.k1 * c) + cone.e2 * (cone.k2 * s) + cone.e3 * ltc_cone_height(cone, c, s);
+}
+
+// The antiderivative of v x dv at the parameter t, in the frame of the cone, and v there.
+struct ltc_ConePoint {
+  vec3 sum;       // the antiderivative
+  vec3 direction; // v, unit
+};
+
+// Both at the parameter t, radians.
+ltc_ConePoint ltc_cone_point(ltc_Cone cone, float t) {
+  float c = cos(t);
+  float s = sin(t);
+  float m2 = max((cone.k1 - cone.k2) * (cone.k1 + cone.k2), 0.0);
+  float m = sqrt(m2);
+  float n = ltc_cone_height(cone, c, s);
+  float inv_n = 1.0 / n;
+  // atanh(z) / m = s / n times atanh(z) / z; the logarithm's argument is (1 + z) / sqrt(1 - z^2).
+  float ms = m * abs(s);
+  float z2 = min(ms * ms * inv_n * inv_n, 1.0);
+  float series = 1.0 + z2 * (1.0 / 3.0 + z2 * (1.0 / 5.0 + z2 * (1.0 / 7.0)));
+  float logarithm = log((n + ms) / max(cone.c1, 1.0e-12));
+  float atanh_over_z = z2 < 0.01 ? series : logarithm * n / max(ms, ltc_k_tiny);
+  ltc_ConePoint point;
+  point.sum = vec3(-(cone.k2 * cone.c1 * cone.c1 * s * inv_n * atanh_over_z),
+                   cone.k1 * cone.c2 * cone.c2 * c * inv_n * ltc_atan_over(m * c * inv_n),
+                   cone.k1 * cone.k2 * t);
+  point.direction = cone.e1 * (cone.k1 * c) + cone.e2 * (cone.k2 * s) + cone.e3 * n;
+  return point;
+}
+
+// The same angle within a turn: 0 to 2 pi, from -2 pi to 4 pi.
+float ltc_wrapped_turn(float angle) {
+  float turn = 2.0 * ltc_k_pi;
+  float a = angle < 0.0 ? angle + turn : angle;
+  return a < turn ? a : a - turn;
+}
+
+// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z,
+// and closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the
+// vector irradiance. Ends that other edges continue from cancel with those.
+vec3 ltc_clipped_arc_term(ltc_Cone cone, ltc_Arc part, vec3 up, float s) {
+  ltc_Arc surface = ltc_arc_above(cone, up);
+  ltc_Arc cosine = ltc_arc_above(cone, vec3(0.0, 0.0, 1.0));
+  float turn = 2.0 * ltc_k_pi;
+  float x1 = surface.extent > ltc_k_full_turn ? 0.0 : ltc_wrapped_turn(surface.start - part.start);
+  float x2 = cosine.extent > ltc_k_full_turn ? 0.0 : ltc_wrapped_turn(cosine.start - part.start);
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  vec3 ends = sum;
+  // Intervals on a circle meet themselves again after a turn.
+  for (int i = 0; i < 2; ++i) {
+    float a = x1 - turn * float(i);
+    for (int k = 0; k < 2; ++k) {
+      float b = x2 - turn * float(k);
+      float low = max(max(a, b), 0.0);
+      float high = min(min(a + surface.extent, b + cosine.extent), part.extent);
+      bool some = high > low;
+      if (some) {
+        ltc_ConePoint from = ltc_cone_point(cone, part.start + low);
+        ltc_ConePoint to = ltc_cone_point(cone, part.start + high);
+        sum = sum + (to.sum - from.sum);
+        ends = ends +
+               (ltc_apex_term(to.direction, ltc_inverse_length(to.direction), s) -
+                ltc_apex_term(from.direction, ltc_inverse_length(from.direction), s));
+      }
+    }
+  }
+  return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z + ends;
+}
+
+// Whether a cone lies wholly above the planes with unit normals `up` and z: the axis' height over
+// each against the reach sideways.
+bool ltc_cone_is_above(ltc_Cone cone, vec3 up) {
+  float height = dot(up, cone.e3) * cone.c1 * cone.c2;
+  float p = dot(up, cone.e1) * cone.k1 * cone.c2;
+  float q = dot(up, cone.e2) * cone.k2 * cone.c1;
+  float height_o = cone.e3.z * cone.c1 * cone.c2;
+  float po = cone.e1.z * cone.k1 * cone.c2;
+  float qo = cone.e2.z * cone.k2 * cone.c1;
+  return height > 0.0 && height * height >= p * p + q * q && height_o > 0.0 &&
+         height_o * height_o >= po * po + qo * qo;
+}
+
+// Square of the mean of the unit vectors to the ends of a cone's axes; see light_concentration.
+float ltc_cone_outline2(ltc_Cone cone) {
+  float mean = 0.5 * (cone.c1 + cone.c2);
+  return mean * mean;
+}
+
+// Vector irradiance times 2 pi of a whole cone, clipped to the wedge between the horizons with unit
+// normals `up` and z.
+vec3 ltc_clipped_cone(ltc_Cone cone, vec3 up) {
+  bool whole = ltc_cone_is_above(cone, up);
+  vec3 all = cone.e3 * (2.0 * ltc_k_pi * cone.k1 * cone.k2);
+  // Uniform shortcut: no lane needs to clip.
+  if (whole) {
+    return all;
+  }
+  // The outline is taken up where a horizon cuts it.
+  ltc_Arc surface = ltc_arc_above(cone, up);
+  ltc_Arc cosine = ltc_arc_above(cone, vec3(0.0, 0.0, 1.0));
+  ltc_Arc part;
+  part.start = surface.extent > ltc_k_full_turn ? cosine.start : surface.start;
+  part.extent = 2.0 * ltc_k_pi;
+  float s = cone.e3.y < 0.0 ? -1.0 : 1.0;
+  return whole ? all : ltc_clipped_arc_term(cone, part, up, s);
+}
+
+// Parameter of the outline at a direction on it, -pi..pi.
+//
+// Of a nearly flat cone the second coordinate is mostly rounding: there its sign alone is taken,
+// and its size from the first.
+float ltc_outline_parameter(ltc_Cone cone, vec3 direction) {
+  float inv_length = inversesqrt(max(dot(direction, direction), ltc_k_tiny));
+  float x = dot(direction, cone.e1) * inv_length;
+  float y = dot(direction, cone.e2) * inv_length;
+  float x1 = min(max(x / max(cone.k1, 1.0e-12), -1.0), 1.0);
+  float y1 = sqrt(1.0 - x1 * x1);
+  bool flat_cone = cone.k2 < 0.02 * cone.k1;
+  return ltc_angle_of(flat_cone ? x1 : x * cone.k2, flat_cone ? (y < 0.0 ? -y1 : y1) : y * cone.k1);
+}
+
+// Share of the outline's arc `part` in 2 pi times the vector irradiance, without horizons.
+vec3 ltc_arc_term(ltc_Cone cone, ltc_Arc part) {
+  vec3 sum = ltc_cone_point(cone, part.start + part.extent).sum -
+             ltc_cone_point(cone, part.start).sum;
+  return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z;
+}
+
+// ---- front --------------------------------------------------------------------------------------
+//
+// A third half space: what lies behind the plane of the triangle is hidden by it, whatever the
+// shading normal says. Where a normal map or interpolation turns that normal, the plane is neither
+// horizon, and it cuts the light before both.
+//
+// A light's outline stays a closed outline when a plane cuts it: pieces end where they cross the
+// plane, and edges in the plane join their ends. In directions such an edge is an arc of the plane's
+// great circle, that is, an edge like any other, which the two horizons clip and close as they do
+// all. So nothing has to be known of three planes at a time, and the integral stays exact.
+//
+// A polygon's crossings lie on one straight line, where its own plane meets this one: edges from each
+// of them to the first found there telescope, and outlines need no order (polygon.glsl). A cone's
+// outline is crossed twice at most: what is left is one arc and its chord. A tube's four pieces are
+// joined by way of a common crossing q, as the apex joins what the horizons cut.
+
+// A plane's normal in cosine space, unit, from that of shading space: M^T n, see
+// horizon_normal_cosine.
+vec3 ltc_plane_normal_cosine(ltc_Lobe lobe, vec3 normal) {
+  vec3 n = vec3(lobe.m22 * normal.x - lobe.m20 * normal.z, lobe.det * normal.y,
+                lobe.m00 * normal.z - lobe.m02 * normal.x);
+  return n * inversesqrt(max(dot(n, n), ltc_k_tiny));
+}
+
+// The part of a segment in front of a plane.
+struct ltc_FrontSegment {
+  vec3 a;    // where it begins
+  vec3 b;    // where it ends
+  bool some; // whether there is any
+};
+
+// The part of the segment from a to b in front of the plane through the origin with that normal.
+ltc_FrontSegment ltc_segment_in_front(vec3 a, vec3 b, vec3 front) {
+  float a_height = dot(front, a);
+  float b_height = dot(front, b);
+  ltc_Span span = ltc_span_above(a_height, b_height);
+  vec3 d = b - a;
+  ltc_FrontSegment segment;
+  segment.a = a + d * span.t0;
+  segment.b = b_height < 0.0 ? a + d * span.t1 : b;
+  segment.some = a_height > 0.0 || b_height > 0.0;
+  return segment;
+}
+
+// An edge in the wedge between the horizons with unit normals `up` and z; see closed_edge_term.
+vec3 ltc_closed_term(vec3 a, vec3 b, vec3 up, float s) {
+  return ltc_closed_edge_term(a, b, dot(up, a), dot(up, b), s);
+}
+
+// clipped_cone for the part of the cone in front of the plane with unit normal `front`.
+vec3 ltc_clipped_cone_in_front(ltc_Cone cone, vec3 up, vec3 front) {
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  ltc_Arc part = ltc_arc_above(cone, front);
+  bool uncut = part.extent > ltc_k_full_turn;
+  bool hidden = part.extent <= 0.0;
+  ltc_Arc surface = ltc_arc_above(cone, up);
+  ltc_Arc cosine = ltc_arc_above(cone, vec3(0.0, 0.0, 1.0));
+  float start = surface.extent > ltc_k_full_turn ? cosine.start : surface.start;
+  part.start = uncut ? start : part.start;
+  part.extent = uncut ? 2.0 * ltc_k_pi : part.extent;
+  float s = cone.e3.y < 0.0 ? -1.0 : 1.0;
+  vec3 from = ltc_cone_direction(cone, part.start + part.extent);
+  vec3 to = ltc_cone_direction(cone, part.start);
+  vec3 sum = ltc_clipped_arc_term(cone, part, up, s) +
+             (uncut ? none : ltc_closed_term(from, to, up, s));
+  vec3 all = cone.e3 * (2.0 * ltc_k_pi * cone.k1 * cone.k2);
+  return hidden ? none : (uncut && ltc_cone_is_above(cone, up) ? all : sum);
+}
+
+// An edge's part in front of the plane with unit normal `front`, and what joins its ends to q in that
+// plane. Ends that another piece goes on from are joined too, and cancel.
+vec3 ltc_edge_in_front(vec3 a, vec3 b, vec3 q, vec3 up, vec3 front, float s) {
+  ltc_FrontSegment part = ltc_segment_in_front(a, b, front);
+  vec3 sum = ltc_closed_term(part.a, part.b, up, s) + ltc_closed_term(part.b, q, up, s) -
+             ltc_closed_term(part.a, q, up, s);
+  return part.some ? sum : vec3(0.0, 0.0, 0.0);
+}
+
+// The same of an arc of a cone's outline.
+vec3 ltc_arc_in_front(ltc_Cone cone, ltc_Arc part, vec3 q, vec3 up, vec3 front, float s) {
+  ltc_Arc above = ltc_arc_above(cone, front);
+  float turn = 2.0 * ltc_k_pi;
+  float x = above.extent > ltc_k_full_turn ? 0.0 : ltc_wrapped_turn(above.start - part.start);
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  vec3 sum = none;
+  // Intervals on a circle meet themselves again after a turn.
+  for (int i = 0; i < 2; ++i) {
+    float low = max(x, 0.0);
+    float high = min(x + above.extent, part.extent);
+    bool some = high > low;
+    if (some) {
+      ltc_Arc piece;
+      piece.start = part.start + low;
+      piece.extent = high - low;
+      vec3 from = ltc_cone_direction(cone, piece.start);
+      vec3 to = ltc_cone_direction(cone, piece.start + piece.extent);
+      vec3 term = ltc_clipped_arc_term(cone, piece, up, s) + ltc_closed_term(to, q, up, s) -
+                  ltc_closed_term(from, q, up, s);
+      sum = sum + term;
+    }
+    x = x - turn;
+  }
+  return sum;
+}
+
+// Where an edge crosses the plane; `otherwise` where it does not.
+vec3 ltc_edge_crossing(vec3 a, vec3 b, vec3 front, vec3 otherwise) {
+  float a_height = dot(front, a);
+  float b_height = dot(front, b);
+  float t = ltc_crossing_place(a_height, b_height);
+  return (a_height < 0.0) != (b_height < 0.0) ? a + (b - a) * t : otherwise;
+}
+
+// The same of an arc of a cone's outline.
+vec3 ltc_arc_crossing(ltc_Cone cone, ltc_Arc part, vec3 front, vec3 otherwise) {
+  ltc_Arc above = ltc_arc_above(cone, front);
+  bool cut = above.extent > 0.0 && above.extent <= ltc_k_full_turn;
+  float end = above.start + above.extent;
+  vec3 q = cut && ltc_wrapped_turn(end - part.start) <= part.extent ?
+           ltc_cone_direction(cone, end) : otherwise;
+  return cut && ltc_wrapped_turn(above.start - part.start) <= part.extent ?
+         ltc_cone_direction(cone, above.start) : q;
+}
+
+// ---- polygon edges ------------------------------------------------------------------------------
+//
+// The sum over a polygon's edges in shading space and in cosine space, clipped to both horizons, and where
+// it is cut, to the plane of a triangle.
+//
+// Source: the edge sum of edge.glsl.
+
+// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
+// normal, meets the y axis.
+float ltc_apex_side(float normal_y, float h) { return normal_y * h < 0.0 ? -1.0 : 1.0; }
+
+// The sums over the edges of an outline.
+struct ltc_EdgeSums {
+  vec3 diffuse;   // 2 pi times the vector irradiance of the clipped polygon in shading space
+  vec3 specular;  // the same in cosine space
+  float outline2; // square of the mean of the unit vectors to its corners, cosine space
+};
+
+// A corner of an outline as a point sees it.
+struct ltc_Corner {
+  vec3 p;      // shading space
+  vec3 o;      // cosine space
+  float inv_p; // 1 / length
+  float inv_o; // 1 / length
+};
+
+// The corner at p of shading space.
+ltc_Corner ltc_corner_at(vec3 p, ltc_Lobe lobe) {
+  ltc_Corner corner;
+  corner.p = p;
+  corner.o = ltc_to_cosine(lobe, p);
+  corner.inv_p = ltc_inverse_length(corner.p);
+  corner.inv_o = ltc_inverse_length(corner.o);
+  return corner;
+}
+
+// Corner i of a polygon as `position`, world space, sees it.
+ltc_Corner ltc_corner_seen(int polygon, int i, vec3 position, ltc_Frame frame, ltc_Lobe lobe) {
+  return ltc_corner_at(ltc_to_shading(frame, ltc_polygon_point(polygon, i) - position), lobe);
+}
+
+// Corner i of a polygon as `position`, world space, sees it.
+ltc_Corner ltc_quad_corner_seen(ltc_Quad quad, int i, vec3 position, ltc_Frame frame,
+                                ltc_Lobe lobe) {
+  return ltc_corner_at(ltc_to_shading(frame, ltc_quad_point(quad, i) - position), lobe);
+}
+
+// Height over the nearer of the two horizons, in units of its own space.
+float ltc_least_height(ltc_Corner corner) { return min(corner.p.z, corner.o.z); }
+
+// The term of the edge from a to b in shading space, clipped to the horizon; s: its apex_side.
+vec3 ltc_diffuse_term(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_edge_term_above(a.p, b.p, s, a.inv_p, b.inv_p);
+}
+
+// And in cosine space, clipped to both horizons.
+vec3 ltc_specular_term(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
+}
+
+// The same of an edge above both horizons.
+vec3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
+  return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
+}
+
+// And in cosine space.
+vec3 ltc_whole_specular_term(ltc_Corner a, ltc_Corner b) {
+  return ltc_edge_term_scaled(a.o, b.o, b.o - a.o, a.inv_o, b.inv_o);
+}
+
+// Square of the length of a mean, from the sum and the number of its parts.
+float ltc_mean_length2(vec3 sum, float count) { return dot(sum, sum) / max(count * count, 1.0); }
+
+// The edge sums of a polygon at signed distance h along its normal. Positive z behind it, negative
+// in front: there an outline that is counter-clockwise about the normal runs clockwise about
+// directions from the surface.
+ltc_EdgeSums ltc_sum_edges(int polygon, vec3 position, ltc_Frame frame, ltc_Lobe lobe, float h) {
+  float s = ltc_apex_side(dot(frame.t2, ltc_polygon_normal(polygon)), h);
+  ltc_EdgeSums sums;
+  sums.diffuse = vec3(0.0, 0.0, 0.0);
+  sums.specular = sums.diffuse;
+  vec3 outline = sums.diffuse;
+  float corners = 0.0;
+  ltc_Corner a = ltc_corner_seen(polygon, 0, position, frame, lobe);
+  int count = ltc_polygon_point_count(polygon);
+  for (int i = 1; i < count; ++i) {
+    ltc_Corner b = ltc_corner_seen(polygon, i, position, frame, lobe);
+    if (!ltc_polygon_starts_ring(polygon, i)) {
+      sums.diffuse = sums.diffuse + ltc_diffuse_term(a, b, s);
+      sums.specular = sums.specular + ltc_specular_term(a, b, s);
+      outline = outline + b.o * b.inv_o;
+      corners = corners + 1.0;
+    }
+    a = b;
+  }
+  sums.outline2 = ltc_mean_length2(outline, corners);
+  return sums;
+}
+
+// Where the edge from a to b crosses the plane with unit normal `front`; heights: of its ends over that.
+ltc_Corner ltc_corner_between(ltc_Corner a, ltc_Corner b, float a_height, float b_height,
+                              vec3 front, ltc_Lobe lobe) {
+  vec3 p = a.p + (b.p - a.p) * ltc_crossing_place(a_height, b_height);
+  // What rounding made of a crossing that is nearer than the ends would turn the plane, which may cut
+  // right through a narrow lobe.
+  return ltc_corner_at(p - front * dot(front, p), lobe);
+}
+
+// a where the mask is set, b elsewhere.
+ltc_Corner ltc_select_corner(bool m, ltc_Corner a, ltc_Corner b) {
+  ltc_Corner corner;
+  corner.p = m ? a.p : b.p;
+  corner.o = m ? a.o : b.o;
+  corner.inv_p = m ? a.inv_p : b.inv_p;
+  corner.inv_o = m ? a.inv_o : b.inv_o;
+  return corner;
+}
+
+// sum_edges of the polygon's part in front of the plane with unit normal `front` (shading space).
+// Where an edge crosses it, an edge along it leads to the first such crossing; see front.glsl.
+ltc_EdgeSums ltc_sum_edges_in_front(int polygon, vec3 position, ltc_Frame frame, ltc_Lobe lobe,
+                                    float h, vec3 front) {
+  float s = ltc_apex_side(dot(frame.t2, ltc_polygon_normal(polygon)), h);
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  ltc_EdgeSums sums;
+  sums.diffuse = none;
+  sums.specular = none;
+  vec3 outline = none;
+  float corners = 0.0;
+  ltc_Corner a = ltc_corner_seen(polygon, 0, position, frame, lobe);
+  ltc_Corner q = a;
+  bool found = false;
+  int count = ltc_polygon_point_count(polygon);
+  for (int i = 1; i < count; ++i) {
+    ltc_Corner b = ltc_corner_seen(polygon, i, position, frame, lobe);
+    if (!ltc_polygon_starts_ring(polygon, i)) {
+      outline = outline + b.o * b.inv_o;
+      corners = corners + 1.0;
+      float a_height = dot(front, a.p);
+      float b_height = dot(front, b.p);
+      bool a_seen = a_height >= 0.0;
+      bool b_seen = b_height >= 0.0;
+      if (a_seen || b_seen) {
+        ltc_Corner cut = ltc_corner_between(a, b, a_height, b_height, front, lobe);
+        ltc_Corner from = ltc_select_corner(a_seen, a, cut);
+        ltc_Corner to = ltc_select_corner(b_seen, b, cut);
+        sums.diffuse = sums.diffuse + (a_seen || b_seen ? ltc_diffuse_term(from, to, s) : none);
+        sums.specular = sums.specular + (a_seen || b_seen ? ltc_specular_term(from, to, s) : none);
+        bool crosses = a_seen != b_seen;
+        if (crosses) {
+          q = ltc_select_corner(!found, cut, q);
+          found = true;
+          float leaves = a_seen ? 1.0 : -1.0;
+          sums.diffuse = sums.diffuse + ltc_diffuse_term(cut, q, s) * leaves;
+          sums.specular = sums.specular + ltc_specular_term(cut, q, s) * leaves;
+        }
+      }
+    }
+    a = b;
+  }
+  sums.outline2 = ltc_mean_length2(outline, corners);
+  return sums;
+}
+
+// sum_edges of the polygon's part in front of the plane with unit normal `front` (shading space).
+// Where an edge crosses it, an edge along it leads to the first such crossing; see front.glsl.
+ltc_EdgeSums ltc_quad_sum_edges_in_front(ltc_Quad quad, vec3 position, ltc_Frame frame,
+                                         ltc_Lobe lobe, float h, vec3 front) {
+  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  ltc_EdgeSums sums;
+  sums.diffuse = none;
+  sums.specular = none;
+  vec3 outline = none;
+  float corners = 0.0;
+  ltc_Corner a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
+  ltc_Corner q = a;
+  bool found = false;
+  int count = 5;
+  for (int i = 1; i < count; ++i) {
+    ltc_Corner b = ltc_quad_corner_seen(quad, i, position, frame, lobe);
+    outline = outline + b.o * b.inv_o;
+    corners = corners + 1.0;
+    float a_height = dot(front, a.p);
+    float b_height = dot(front, b.p);
+    bool a_seen = a_height >= 0.0;
+    bool b_seen = b_height >= 0.0;
+    if (a_seen || b_seen) {
+      ltc_Corner cut = ltc_corner_between(a, b, a_height, b_height, front, lobe);
+      ltc_Corner from = ltc_select_corner(a_seen, a, cut);
+      ltc_Corner to = ltc_select_corner(b_seen, b, cut);
+      sums.diffuse = sums.diffuse + (a_seen || b_seen ? ltc_diffuse_term(from, to, s) : none);
+      sums.specular = sums.specular + (a_seen || b_seen ? ltc_specular_term(from, to, s) : none);
+      bool crosses = a_seen != b_seen;
+      if (crosses) {
+        q = ltc_select_corner(!found, cut, q);
+        found = true;
+        float leaves = a_seen ? 1.0 : -1.0;
+        sums.diffuse = sums.diffuse + ltc_diffuse_term(cut, q, s) * leaves;
+        sums.specular = sums.specular + ltc_specular_term(cut, q, s) * leaves;
+      }
+    }
+    a = b;
+  }
+  sums.outline2 = ltc_mean_length2(outline, corners);
+  return sums;
+}
+
+// sum_edges for four corners, which are seen once each.
+ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, vec3 position, ltc_Frame frame, ltc_Lobe lobe,
+                                float h) {
+  ltc_Corner a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
+  ltc_Corner b = ltc_quad_corner_seen(quad, 1, position, frame, lobe);
+  ltc_Corner c = ltc_quad_corner_seen(quad, 2, position, frame, lobe);
+  ltc_Corner d = ltc_quad_corner_seen(quad, 3, position, frame, lobe);
+  float lowest = min(min(ltc_least_height(a), ltc_least_height(b)),
+                     min(ltc_least_height(c), ltc_least_height(d)));
+  ltc_EdgeSums sums;
+  float outline2 = ltc_mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o,
+                                    4.0);
+  // Uniform shortcut: no lane has anything to clip.
+  if (lowest >= 0.0) {
+    sums.outline2 = outline2;
+    sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
+                   ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
+    sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
+                    ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
+    return sums;
+  }
+  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
+  sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) + ltc_diffuse_term(c, d, s) +
+                 ltc_diffuse_term(d, a, s);
+  sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
+                  ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
+  sums.outline2 = outline2;
+  return sums;
+}
+
+// ---- polygon ------------------------------------------------------------------------------------
+//
+// The integral of a lobe over a polygon, exact, clipped to both horizons: the sum over its edges
+// (polygon_edges.glsl), or where it is small four parts that stand for it. Its sampling: polygon_points.glsl.
+//
+// The prelude of each target gives the polygon, the same for all lanes, in world space:
+//   int  polygon_point_count(Polygon)            rings one after the other, each closed by
+//                                                repeating its first point
+//   Vec3 polygon_point(Polygon, int)             world space
+//   bool polygon_starts_ring(Polygon, int)
+//   Vec3 polygon_origin(Polygon)                 a point of its plane
+//   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
+//   bool polygon_two_sided(Polygon)
+//   Real polygon_area(Polygon)                   square metres
+//   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
+//   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
+
+// A small polygon: where it is in shading space, and how far it spreads.
+struct ltc_SmallPolygon {
+  vec3 center;       // its centroid
+  vec3 u;            // its spread, see PolygonMoments
+  vec3 v;            // and the one across
+  float area_height; // area times the distance from its plane
+};
+
+// 2 pi times the vector irradiance of a part of a light around p: its density times its solid
+// angle (docs/method.md, section 9). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
+// space, o = M^-1 p.
+vec3 ltc_small_part_term(vec3 p, float area_height, ltc_Lobe lobe) {
+  vec3 o = ltc_to_cosine(lobe, p);
+  float inv_o2 = 1.0 / max(dot(o, o), ltc_k_tiny);
+  return o * (2.0 * area_height * inv_o2 * (lobe.det * inv_o2));
+}
+
+// 2 pi times the vector irradiance of a polygon that is small against its distance and wholly above
+// both horizons: four parts, which have its area, centroid and second moments.
+vec3 ltc_sum_small_polygon(ltc_SmallPolygon small, ltc_Lobe lobe) {
+  float quarter = 0.25 * small.area_height;
+  return ltc_small_part_term(small.center + small.u, quarter, lobe) +
+         ltc_small_part_term(small.center - small.u, quarter, lobe) +
+         ltc_small_part_term(small.center + small.v, quarter, lobe) +
+         ltc_small_part_term(small.center - small.v, quarter, lobe);
+}
+
+// Square of the angular radius below which the small form begins, 0.05.
+const float ltc_k_small_radius2 = 0.0025;
+
+// Angular radius below which it is all.
+const float ltc_k_wholly_small_radius = 0.03;
+
+// 1 over what lies between, over which the one fades into the other.
+const float ltc_k_inv_small_range = 50.0;
+
+// How much of the edge sums a polygon wants, 0 to 1; the rest is its small form.
+//
+// The edge terms of a small polygon nearly cancel, of which rounding makes 1e-7 over its angular
+// radius, and the coordinates' own rounding the same again. So from a twentieth downwards it is
+// handed over, without a step, to its small form, which is wrong by the fourth power of that radius.
+float ltc_polygon_exactness(vec3 center, float radius, ltc_Lobe lobe) {
+  vec3 o = ltc_to_cosine(lobe, center);
+  float reach2 = radius * radius * ltc_lobe_stretch2(lobe);
+  float o2 = max(dot(o, o), ltc_k_tiny);
+  // Uniform shortcut: no lane sees it small.
+  if (reach2 >= ltc_k_small_radius2 * o2) {
+    return 1.0;
+  }
+  float reach = sqrt(reach2);
+  float inv_o = inversesqrt(o2);
+  float exact = min(max((reach * inv_o - ltc_k_wholly_small_radius) * ltc_k_inv_small_range, 0.0),
+                    1.0);
+  bool above = center.z > radius && o.z > reach;
+  return above ? exact : 1.0;
+}
+
+// EdgeSums.outline2 for what fades into the small form, which lies in one direction.
+float ltc_small_outline2(ltc_EdgeSums sums, float exact) {
+  return 1.0 + (sums.outline2 - 1.0) * exact;
+}
+
+// The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
+// its plane along its normal.
+float ltc_lit_side(int polygon, float h, vec3 to_origin) {
+  float side = h < 0.0 ? -1.0 : (ltc_polygon_two_sided(polygon) ? 1.0 : 0.0);
+  return ltc_lies_in_plane(h, to_origin, 0.0) ? 0.0 : side;
+}
+
+// The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
+// its plane along its normal.
+float ltc_quad_lit_side(ltc_Quad quad, float h, vec3 to_origin) {
+  float side = h < 0.0 ? -1.0 : (ltc_quad_two_sided(quad) ? 1.0 : 0.0);
+  return ltc_lies_in_plane(h, to_origin, 0.0) ? 0.0 : side;
+}
+
+// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
+// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
+// last digit asks has_side (surface.glsl) as well.
+//
+// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
+// is the integral; the direction is the mean direction of the part of the polygon that counts,
+// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
+ltc_LightIntegral ltc_integrate_polygon(int polygon, vec3 position, ltc_Frame frame,
+                                        ltc_Lobe lobe) {
+  vec3 normal = ltc_polygon_normal(polygon);
+  vec3 to_origin = ltc_polygon_origin(polygon) - position;
+  float h = dot(to_origin, normal);
+  float side = ltc_lit_side(polygon, h, to_origin);
+  vec3 to_center = ltc_polygon_centroid(polygon) - position;
+  float radius = ltc_polygon_radius(polygon);
+  vec3 center = to_center;
+  float exact_diffuse = 1.0;
+  float exact_specular = 1.0;
+  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
+  // counts as much longer as the distance can become.
+  if (!(radius * radius >= ltc_k_small_radius2 * dot(to_center, to_center))) {
+    center = ltc_to_shading(frame, to_center);
+    exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
+    exact_specular = ltc_polygon_exactness(center, radius, lobe);
+  }
+
+  ltc_EdgeSums sums;
+  sums.diffuse = vec3(0.0, 0.0, 0.0);
+  sums.specular = sums.diffuse;
+  sums.outline2 = 1.0;
+  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
+  bool lit = side != 0.0;
+  if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
+    sums = ltc_sum_edges(polygon, position, frame, lobe, h);
+    sums.diffuse = sums.diffuse * (side * exact_diffuse);
+    sums.specular = sums.specular * (side * exact_specular);
+  }
+  if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
+    ltc_SmallPolygon small;
+    small.center = center;
+    small.u = ltc_to_shading(frame, ltc_polygon_spread_u(polygon));
+    small.v = ltc_to_shading(frame, ltc_polygon_spread_v(polygon));
+    small.area_height = ltc_polygon_area(polygon) * abs(h) * abs(side);
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    sums.diffuse = sums.diffuse +
+                   (exact_diffuse < 1.0 ?
+                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
+    sums.specular = sums.specular +
+                    (exact_specular < 1.0 ?
+                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+  }
+  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
+                            ltc_small_outline2(sums, exact_specular));
+}
+
+// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
+// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
+// last digit asks has_side (surface.glsl) as well.
+//
+// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
+// is the integral; the direction is the mean direction of the part of the polygon that counts,
+// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
+ltc_LightIntegral ltc_integrate_quad(ltc_Quad quad, vec3 position, ltc_Frame frame, ltc_Lobe lobe) {
+  vec3 normal = ltc_quad_normal(quad);
+  vec3 to_origin = ltc_quad_origin(quad) - position;
+  float h = dot(to_origin, normal);
+  float side = ltc_quad_lit_side(quad, h, to_origin);
+  vec3 to_center = ltc_quad_centroid(quad) - position;
+  float radius = ltc_quad_radius(quad);
+  vec3 center = to_center;
+  float exact_diffuse = 1.0;
+  float exact_specular = 1.0;
+  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
+  // counts as much longer as the distance can become.
+  if (!(radius * radius >= ltc_k_small_radius2 * dot(to_center, to_center))) {
+    center = ltc_to_shading(frame, to_center);
+    exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
+    exact_specular = ltc_polygon_exactness(center, radius, lobe);
+  }
+
+  ltc_EdgeSums sums;
+  sums.diffuse = vec3(0.0, 0.0, 0.0);
+  sums.specular = sums.diffuse;
+  sums.outline2 = 1.0;
+  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
+  bool lit = side != 0.0;
+  if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
+    sums = ltc_sum_quad_edges(quad, position, frame, lobe, h);
+    sums.diffuse = sums.diffuse * (side * exact_diffuse);
+    sums.specular = sums.specular * (side * exact_specular);
+  }
+  if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
+    ltc_SmallPolygon small;
+    small.center = center;
+    small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
+    small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
+    small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    sums.diffuse = sums.diffuse +
+                   (exact_diffuse < 1.0 ?
+                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
+    sums.specular = sums.specular +
+                    (exact_specular < 1.0 ?
+                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+  }
+  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
+                            ltc_small_outline2(sums, exact_specular));
+}
+
+// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
+// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
+ltc_LightIntegral ltc_integrate_polygon_in_front(int polygon, vec3 position, ltc_Frame frame,
+                                                 ltc_Lobe lobe, vec3 front) {
+  vec3 to_origin = ltc_polygon_origin(polygon) - position;
+  float h = dot(to_origin, ltc_polygon_normal(polygon));
+  float side = ltc_lit_side(polygon, h, to_origin);
+  ltc_SmallPolygon small;
+  small.center = ltc_to_shading(frame, ltc_polygon_centroid(polygon) - position);
+  small.u = ltc_to_shading(frame, ltc_polygon_spread_u(polygon));
+  small.v = ltc_to_shading(frame, ltc_polygon_spread_v(polygon));
+  small.area_height = ltc_polygon_area(polygon) * abs(h) * abs(side);
+  // What the plane may cut is summed by its edges, however small.
+  float radius = ltc_polygon_radius(polygon);
+  bool in_front = dot(front, small.center) > radius;
+  float exact_diffuse = in_front ? ltc_polygon_exactness(small.center, radius, ltc_cosine_lobe()) :
+                        1.0;
+  float exact_specular = in_front ? ltc_polygon_exactness(small.center, radius, lobe) : 1.0;
+  ltc_EdgeSums sums = ltc_sum_edges_in_front(polygon, position, frame, lobe, h, front);
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  vec3 small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
+  vec3 small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
+  sums.diffuse = sums.diffuse * (side * exact_diffuse) +
+                 (exact_diffuse < 1.0 ? small_diffuse : none);
+  sums.specular = sums.specular * (side * exact_specular) +
+                  (exact_specular < 1.0 ? small_specular : none);
+  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
+                            ltc_small_outline2(sums, exact_specular));
+}
+
+// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
+// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
+ltc_LightIntegral ltc_integrate_quad_in_front(ltc_Quad quad, vec3 position, ltc_Frame frame,
+                                              ltc_Lobe lobe, vec3 front) {
+  vec3 to_origin = ltc_quad_origin(quad) - position;
+  float h = dot(to_origin, ltc_quad_normal(quad));
+  float side = ltc_quad_lit_side(quad, h, to_origin);
+  ltc_SmallPolygon small;
+  small.center = ltc_to_shading(frame, ltc_quad_centroid(quad) - position);
+  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
+  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
+  small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
+  // What the plane may cut is summed by its edges, however small.
+  float radius = ltc_quad_radius(quad);
+  bool in_front = dot(front, small.center) > radius;
+  float exact_diffuse = in_front ? ltc_polygon_exactness(small.center, radius, ltc_cosine_lobe()) :
+                        1.0;
+  float exact_specular = in_front ? ltc_polygon_exactness(small.center, radius, lobe) : 1.0;
+  ltc_EdgeSums sums = ltc_quad_sum_edges_in_front(quad, position, frame, lobe, h, front);
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  vec3 small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
+  vec3 small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
+  sums.diffuse = sums.diffuse * (side * exact_diffuse) +
+                 (exact_diffuse < 1.0 ? small_diffuse : none);
+  sums.specular = sums.specular * (side * exact_specular) +
+                  (exact_specular < 1.0 ? small_specular : none);
+  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
+                            ltc_small_outline2(sums, exact_specular));
+}
+
+// Of a polygon over the plane through `position` with that unit normal, world space.
+ltc_Heights ltc_polygon_heights(int polygon, vec3 position, vec3 normal) {
+  ltc_Heights heights;
+  heights.low = dot(normal, ltc_polygon_point(polygon, 0) - position);
+  heights.high = heights.low;
+  int count = ltc_polygon_point_count(polygon);
+  for (int i = 1; i < count; ++i) {
+    float height = dot(normal, ltc_polygon_point(polygon, i) - position);
+    heights.low = min(heights.low, height);
+    heights.high = max(heights.high, height);
+  }
+  return heights;
+}
+
+// Of a polygon over the plane through `position` with that unit normal, world space.
+ltc_Heights ltc_quad_heights(ltc_Quad quad, vec3 position, vec3 normal) {
+  ltc_Heights heights;
+  heights.low = dot(normal, ltc_quad_point(quad, 0) - position);
+  heights.high = heights.low;
+  int count = 5;
+  for (int i = 1; i < count; ++i) {
+    float height = dot(normal, ltc_quad_point(quad, i) - position);
+    heights.low = min(heights.low, height);
+    heights.high = max(heights.high, height);
+  }
+  return heights;
+}
+
+// Whether the plane of some lane's triangle may cut a polygon.
+bool ltc_triangle_may_cut(ltc_Surface s, int polygon) {
+  return s.tilted &&
+         dot(s.geometric, ltc_polygon_centroid(polygon) - s.position) < ltc_polygon_radius(polygon);
+}
+
+// Whether the plane of some lane's triangle may cut a polygon.
+bool ltc_quad_triangle_may_cut(ltc_Surface s, ltc_Quad quad) {
+  return s.tilted && dot(s.geometric, ltc_quad_centroid(quad) - s.position) < ltc_quad_radius(quad);
+}
+
+// ---- polygon surface ----------------------------------------------------------------------------
+//
+// A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
+// GGX itself, along the same edges (half_vector.glsl).
+
+// The integral where no triangle's plane cuts the polygon.
+ltc_LightIntegral ltc_whole_polygon_integral(ltc_Surface s, int polygon) {
+  ltc_LightIntegral integral = ltc_integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+  return ltc_unless_in_plane(s, ltc_polygon_origin(polygon), ltc_polygon_normal(polygon), integral);
+}
+
+// The integral where no triangle's plane cuts the polygon.
+ltc_LightIntegral ltc_whole_quad_integral(ltc_Surface s, ltc_Quad quad) {
+  ltc_LightIntegral integral = ltc_integrate_quad(quad, s.position, s.frame, s.fitted.lobe);
+  return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
+}
+
+// The integral where triangle_may_cut, which most groups need not carry along.
+ltc_LightIntegral ltc_cut_polygon_integral(ltc_Surface s, int polygon) {
+  ltc_Heights heights = ltc_polygon_heights(polygon, s.position, s.geometric);
+  if (heights.low >= 0.0) {
+    return ltc_whole_polygon_integral(s, polygon);
+  }
+  ltc_LightIntegral integral = ltc_integrate_polygon_in_front(polygon, s.position, s.frame,
+                                                              s.fitted.lobe, ltc_front_shading(s));
+  integral = ltc_unless_hidden(s, heights, integral);
+  return ltc_unless_in_plane(s, ltc_polygon_origin(polygon), ltc_polygon_normal(polygon), integral);
+}
+
+// The integral where triangle_may_cut, which most groups need not carry along.
+ltc_LightIntegral ltc_cut_quad_integral(ltc_Surface s, ltc_Quad quad) {
+  ltc_Heights heights = ltc_quad_heights(quad, s.position, s.geometric);
+  if (heights.low >= 0.0) {
+    return ltc_whole_quad_integral(s, quad);
+  }
+  ltc_LightIntegral integral = ltc_integrate_quad_in_front(quad, s.position, s.frame, s.fitted.lobe,
+                                                           ltc_front_shading(s));
+  integral = ltc_unless_hidden(s, heights, integral);
+  return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
+}
+
+// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
+ltc_LightIntegral ltc_surface_polygon_integral(ltc_Surface s, int polygon) {
+  if (ltc_triangle_may_cut(s, polygon)) {
+    return ltc_cut_polygon_integral(s, polygon);
+  }
+  return ltc_whole_polygon_integral(s, polygon);
+}
+
+// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
+ltc_LightIntegral ltc_surface_quad_integral(ltc_Surface s, ltc_Quad quad) {
+  if (ltc_quad_triangle_may_cut(s, quad)) {
+    return ltc_cut_quad_integral(s, quad);
+  }
+  return ltc_whole_quad_integral(s, quad);
+}
+
+// Light that a surface reflects of a polygon of radiance 1, without shadow.
+ltc_ShadedLight ltc_shade_polygon_parts(ltc_Surface s, int polygon) {
+  return ltc_shade_integral(s, ltc_surface_polygon_integral(s, polygon));
+}
+
+// Light that a surface reflects of a polygon of radiance 1, without shadow.
+ltc_ShadedLight ltc_shade_quad_parts(ltc_Surface s, ltc_Quad quad) {
+  return ltc_shade_integral(s, ltc_surface_quad_integral(s, quad));
+}
+
+// Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
+// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+// these, each copies the surface, 3 % of a quad's instructions.
+vec3 ltc_shade_polygon(ltc_Surface s, int polygon) {
+  if (ltc_triangle_may_cut(s, polygon)) {
+    return ltc_both_parts(ltc_shade_integral(s, ltc_cut_polygon_integral(s, polygon)));
+  }
+  return ltc_both_parts(ltc_shade_integral(s, ltc_whole_polygon_integral(s, polygon)));
+}
+
+// Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
+// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+// these, each copies the surface, 3 % of a quad's instructions.
+vec3 ltc_shade_quad(ltc_Surface s, ltc_Quad quad) {
+  if (ltc_quad_triangle_may_cut(s, quad)) {
+    return ltc_both_parts(ltc_shade_integral(s, ltc_cut_quad_integral(s, quad)));
+  }
+  return ltc_both_parts(ltc_shade_integral(s, ltc_whole_quad_integral(s, quad)));
+}
+
+// ---- ellipse ------------------------------------------------------------------------------------
+//
+// The integral of a lobe over a flat ellipse or disk, exact, clipped to both horizons: a cone in
+// shading space for Lambert, and its image under M^-1 for the lobe. See cone.glsl.
+
+// A flat ellipse in world space; emits along half_u x half_v.
+struct ltc_Ellipse {
+  vec3 center;     // world space
+  vec3 half_u;     // semi-axes, perpendicular, metres
+  vec3 half_v;     // the other one
+  float two_sided; // 0 or 1
+};
+
+// Unit, to the emitting side.
+vec3 ltc_ellipse_normal(ltc_Ellipse ellipse) {
+  vec3 normal = cross(ellipse.half_u, ellipse.half_v);
+  return normal * inversesqrt(max(dot(normal, normal), ltc_k_tiny));
+}
+
+// 2 pi times the vector irradiances of a cone of directions.
+struct ltc_ConeSums {
+  vec3 diffuse;   // in shading space, clipped to the horizon
+  vec3 specular;  // in cosine space, clipped to both horizons
+  float outline2; // see light_concentration
+};
+
+// Those of the cone of directions to a flat ellipse, all in shading space; where `cut`, of its part
+// in front of the plane with unit normal `front`.
+ltc_ConeSums ltc_sum_ellipse_cone(vec3 center, vec3 u, vec3 v, ltc_Lobe lobe, vec3 front,
+                                  bool cut) {
+  vec3 up = vec3(0.0, 0.0, 1.0);
+  vec3 up_o = ltc_horizon_normal_cosine(lobe);
+  ltc_Cone cone = ltc_make_cone(center, u, v);
+  ltc_Cone cone_o = ltc_make_cone(ltc_to_cosine(lobe, center), ltc_to_cosine(lobe, u),
+                                  ltc_to_cosine(lobe, v));
+  ltc_ConeSums sums;
+  sums.outline2 = ltc_cone_outline2(cone_o);
+  if (cut) {
+    sums.diffuse = ltc_clipped_cone_in_front(cone, up, front);
+    sums.specular = ltc_clipped_cone_in_front(cone_o, up_o, ltc_plane_normal_cosine(lobe, front));
+  } else {
+    sums.diffuse = ltc_clipped_cone(cone, up);
+    sums.specular = ltc_clipped_cone(cone_o, up_o);
+  }
+  return sums;
+}
+
+// 1 where an ellipse, shading space, shines on the point, 0 elsewhere.
+float ltc_ellipse_side(vec3 center, vec3 u, vec3 v, float two_sided) {
+  vec3 normal = cross(u, v);
+  float h = dot(center, normal) * inversesqrt(max(dot(normal, normal), ltc_k_tiny));
+  float side = h < 0.0 ? 1.0 : two_sided;
+  side = ltc_lies_in_plane(h, center, 0.0) ? 0.0 : side;
+  // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
+  float reach = sqrt(u.z * u.z + v.z * v.z);
+  return center.z + reach > 0.0 ? side : 0.0;
+}
+
+// integrate_ellipse; where `cut`, over what is in front of the plane with unit normal `front`
+// (shading space).
+ltc_LightIntegral ltc_integrate_ellipse_part(ltc_Ellipse ellipse, vec3 position, ltc_Frame frame,
+                                             ltc_Lobe lobe, vec3 front, bool cut) {
+  vec3 center = ltc_to_shading(frame, ellipse.center - position);
+  vec3 u = ltc_to_shading(frame, ellipse.half_u);
+  vec3 v = ltc_to_shading(frame, ellipse.half_v);
+  ltc_ConeSums sums = ltc_sum_ellipse_cone(center, u, v, lobe, front, cut);
+  float side = ltc_ellipse_side(center, u, v, ellipse.two_sided);
+  return ltc_light_integral(sums.diffuse * side, sums.specular * side, lobe, sums.outline2);
+}
+
+// Of an ellipse over the plane through `position` with that unit normal, world space.
+ltc_Heights ltc_ellipse_heights(ltc_Ellipse ellipse, vec3 position, vec3 normal) {
+  float middle = dot(normal, ellipse.center - position);
+  float u = dot(normal, ellipse.half_u);
+  float v = dot(normal, ellipse.half_v);
+  float reach = sqrt(u * u + v * v);
+  ltc_Heights heights;
+  heights.low = middle - reach;
+  heights.high = middle + reach;
+  return heights;
+}
+
+// The integral over an ellipse as a surface sees it; see surface_polygon_integral.
+ltc_LightIntegral ltc_surface_ellipse_integral(ltc_Surface s, ltc_Ellipse ellipse) {
+  ltc_Heights heights = ltc_no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = ltc_ellipse_heights(ellipse, s.position, s.geometric);
+    cut = heights.low < 0.0;
+  }
+  ltc_LightIntegral integral = ltc_integrate_ellipse_part(ellipse, s.position, s.frame,
+                                                          s.fitted.lobe, ltc_front_shading(s), cut);
+  if (cut) {
+    integral = ltc_unless_hidden(s, heights, integral);
+  }
+  return ltc_unless_in_plane(s, ellipse.center, ltc_ellipse_normal(ellipse), integral);
+}
+
+// Light that a surface reflects of an ellipse of radiance 1, without shadow.
+ltc_ShadedLight ltc_shade_ellipse_parts(ltc_Surface s, ltc_Ellipse ellipse) {
+  return ltc_shade_integral(s, ltc_surface_ellipse_integral(s, ellipse));
+}
+
+// Light that a surface reflects of it, for radiance 1 and without shadow: shade_ellipse_parts, both together.
+vec3 ltc_shade_ellipse(ltc_Surface s, ltc_Ellipse ellipse) {
+  return ltc_both_parts(ltc_shade_ellipse_parts(s, ellipse));
+}
+
+// ---- sphere -------------------------------------------------------------------------------------
+//
+// The integral of a lobe over a sphere, exact, clipped to both horizons: the cone of directions that
+// touch it is that of a disk. See cone.glsl.
+
+// A sphere, which emits outwards.
+struct ltc_Sphere {
+  vec3 center;  // world space
+  float radius; // metres
+};
+
+// Semi-axes of a disk around p that fills the same directions as the sphere of that radius around
+// p, |p| > radius: its radius is |p| tan s with sin s = radius / |p|.
+float ltc_tangent_disk_radius(float distance2, float radius) {
+  // tan^2 = sin^2 / (1 - sin^2); the difference is formed of lengths so that it does not cancel.
+  float distance = sqrt(distance2);
+  float leg2 = max((distance - radius) * (distance + radius), 1.0e-12 * distance2);
+  return distance * radius * inversesqrt(max(leg2, ltc_k_tiny));
+}
+
+// integrate_sphere; where `cut`, over what is in front of the plane with unit normal `front` (shading
+// space).
+ltc_LightIntegral ltc_integrate_sphere_part(ltc_Sphere sphere, vec3 position, ltc_Frame frame,
+                                            ltc_Lobe lobe, vec3 front, bool cut) {
+  vec3 center = ltc_to_shading(frame, sphere.center - position);
+  float distance2 = dot(center, center);
+  vec3 axis = center * inversesqrt(max(distance2, ltc_k_tiny));
+  float radius = ltc_tangent_disk_radius(distance2, sphere.radius);
+  vec3 u = ltc_any_perpendicular(axis);
+  vec3 v = cross(axis, u) * radius;
+  u = u * radius;
+  ltc_ConeSums sums = ltc_sum_ellipse_cone(center, u, v, lobe, front, cut);
+  // Below the horizon it gives nothing, rounding or not.
+  bool seen = distance2 > sphere.radius * sphere.radius && center.z + sphere.radius > 0.0;
+  float outside = seen ? 1.0 : 0.0;
+  return ltc_light_integral(sums.diffuse * outside, sums.specular * outside, lobe, sums.outline2);
+}
+
+// Of a sphere over the plane through `position` with that unit normal, world space.
+ltc_Heights ltc_sphere_heights(ltc_Sphere sphere, vec3 position, vec3 normal) {
+  float middle = dot(normal, sphere.center - position);
+  ltc_Heights heights;
+  heights.low = middle - sphere.radius;
+  heights.high = middle + sphere.radius;
+  return heights;
+}
+
+// The integral over a sphere as a surface sees it; see surface_polygon_integral.
+ltc_LightIntegral ltc_surface_sphere_integral(ltc_Surface s, ltc_Sphere sphere) {
+  ltc_Heights heights = ltc_no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = ltc_sphere_heights(sphere, s.position, s.geometric);
+    cut = heights.low < 0.0;
+  }
+  ltc_LightIntegral integral = ltc_integrate_sphere_part(sphere, s.position, s.frame, s.fitted.lobe,
+                                                         ltc_front_shading(s), cut);
+  if (cut) {
+    return ltc_unless_hidden(s, heights, integral);
+  }
+  return integral;
+}
+
+// Light that a surface reflects of a sphere of radiance 1, without shadow.
+ltc_ShadedLight ltc_shade_sphere_parts(ltc_Surface s, ltc_Sphere sphere) {
+  return ltc_shade_integral(s, ltc_surface_sphere_integral(s, sphere));
+}
+
+// Light that a surface reflects of it, for radiance 1 and without shadow: shade_sphere_parts, both together.
+vec3 ltc_shade_sphere(ltc_Surface s, ltc_Sphere sphere) {
+  return ltc_both_parts(ltc_shade_sphere_parts(s, sphere));
+}
+
+// ---- line ---------------------------------------------------------------------------------------
+//
+// The integral of a lobe over a straight line of vanishing width, exact, clipped to both horizons.
+//
+// Source: Heitz and Hill 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed
+// Cosines": the integral of the cosine along a line, and the width that M^-1 gives it. Clipped here
+// to the surface's horizon too, and kept as a vector for the mean direction.
+//
+// With f the foot of the perpendicular from the point to the line, at distance d, t the line's
+// direction and b the angle from f, a strip of width w around the line has
+//   2 pi times its vector irradiance = (w/d) ( f/d [b + sin b cos b] + t [sin^2 b] ),
+// the brackets taken between its ends. M^-1 turns the width across the line of sight by
+// det |p x q| / |p_o x q_o| for any two points p, q of the line: areas of triangles with the origin
+// change by the cofactors of M^-1, volumes by its determinant.
+
+// A straight line without a width; see the intensity per metre of openltc::Line.
+struct ltc_Line {
+  vec3 from; // one end, world space
+  vec3 to;   // the other
+};
+
+// 2 pi times the vector irradiance of the strip of width 1 around the segment from p to q, seen
+// from the origin.
+vec3 ltc_line_term(vec3 p, vec3 q) {
+  vec3 axis = q - p;
+  float length2 = max(dot(axis, axis), ltc_k_tiny);
+  vec3 t = axis * inversesqrt(length2);
+  float from = dot(p, t);
+  float to = dot(q, t);
+  vec3 foot = p - t * from;
+  // The point on the line itself sees it end-on.
+  float d2 = max(dot(foot, foot), 1.0e-12 * (dot(p, p) + dot(q, q)) + ltc_k_tiny);
+  float inv_d = inversesqrt(d2);
+  float d = d2 * inv_d;
+  float from_r2 = d2 + from * from;
+  float to_r2 = d2 + to * to;
+  float angle = ltc_angle_of(d2 + from * to, d * (to - from));
+  float along = to * to / to_r2 - from * from / from_r2;
+  float across = angle + to * d / to_r2 - from * d / from_r2;
+  return (foot * (inv_d * across) + t * along) * inv_d;
+}
+
+// The same of a segment in cosine space, clipped to both horizons; see clip_edge.
+vec3 ltc_clipped_line_term(vec3 a_o, vec3 b_o, float a_z, float b_z) {
+  ltc_ClippedEdge edge = ltc_clip_edge(a_o, b_o, a_z, b_z);
+  return edge.outside ? vec3(0.0, 0.0, 0.0) : ltc_line_term(edge.p0, edge.p1);
+}
+
+// 2 pi times the vector irradiance of a strip of width 1 in shading space around the segment from a
+// to b, also shading space, in the space that `lobe` leads to.
+vec3 ltc_sum_line(vec3 a, vec3 b, ltc_Lobe lobe) {
+  vec3 a_o = ltc_to_cosine(lobe, a);
+  vec3 b_o = ltc_to_cosine(lobe, b);
+  vec3 triangle = cross(a, b - a);
+  vec3 triangle_o = cross(a_o, b_o - a_o);
+  float ratio2 = dot(triangle, triangle) / max(dot(triangle_o, triangle_o), ltc_k_tiny);
+  return ltc_clipped_line_term(a_o, b_o, a.z, b.z) * (lobe.det * sqrt(ratio2));
+}
+
+// Integrals over the segment from a to b, shading space; see integrate_line.
+ltc_LightIntegral ltc_integrate_segment(vec3 a, vec3 b, ltc_Lobe lobe) {
+  vec3 diffuse = ltc_sum_line(a, b, ltc_cosine_lobe());
+  vec3 specular = ltc_sum_line(a, b, lobe);
+  ltc_LightIntegral result;
+  result.diffuse = min(max(diffuse.z * ltc_k_half_inv_pi, 0.0), 1.0e15);
+  result.specular = min(max(specular.z * ltc_k_half_inv_pi, 0.0), 1.0e15);
+  result.diffuse_direction = ltc_safe_direction(diffuse);
+  result.specular_direction = ltc_safe_direction(ltc_from_cosine(lobe, ltc_safe_direction(specular)));
+  result.second = 0.0;
+  result.concentration = 0.0; // it has none; see segment_ratio
+  return result;
+}
+
+// Integrals over a line seen from `position` (world space), per metre of its width: without an
+// upper bound.
+ltc_LightIntegral ltc_integrate_line(ltc_Line line, vec3 position, ltc_Frame frame, ltc_Lobe lobe) {
+  return ltc_integrate_segment(ltc_to_shading(frame, line.from - position),
+                               ltc_to_shading(frame, line.to - position), lobe);
+}
+
+// The same over what is in front of the plane with unit normal `front` (shading space).
+ltc_LightIntegral ltc_integrate_line_in_front(ltc_Line line, vec3 position, ltc_Frame frame,
+                                              ltc_Lobe lobe, vec3 front) {
+  ltc_FrontSegment part = ltc_segment_in_front(ltc_to_shading(frame, line.from - position),
+                                               ltc_to_shading(frame, line.to - position), front);
+  ltc_LightIntegral integral = ltc_integrate_segment(part.a, part.b, lobe);
+  integral.diffuse = part.some ? integral.diffuse : 0.0;
+  integral.specular = part.some ? integral.specular : 0.0;
+  return integral;
+}
+
+// Of a line over the plane through `position` with that unit normal, world space.
+ltc_Heights ltc_line_heights(ltc_Line line, vec3 position, vec3 normal) {
+  float from = dot(normal, line.from - position);
+  float to = dot(normal, line.to - position);
+  ltc_Heights heights;
+  heights.low = min(from, to);
+  heights.high = max(from, to);
+  return heights;
+}
+
+// The integral over a line as a surface sees it; see surface_polygon_integral.
+ltc_LightIntegral ltc_surface_line_integral(ltc_Surface s, ltc_Line line) {
+  ltc_Heights heights = ltc_no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = ltc_line_heights(line, s.position, s.geometric);
+    cut = heights.low < 0.0;
+  }
+  if (!cut) {
+    ltc_LightIntegral integral = ltc_integrate_line(line, s.position, s.frame, s.fitted.lobe);
+    return integral;
+  }
+  ltc_LightIntegral integral = ltc_integrate_line_in_front(line, s.position, s.frame, s.fitted.lobe,
+                                                           ltc_front_shading(s));
+  return ltc_unless_hidden(s, heights, integral);
+}
+
+// Pieces into which the ratio to the BRDF divides a segment.
+const int ltc_k_line_pieces = 6;
+
+// Means over a segment, weighted by the lobe.
+struct ltc_SegmentRatio {
+  float scale; // of blended_ratio
+  float bias;  // of blended_ratio times Schlick's weight
+};
+
+// blended_ratio of a long light: a mean over pieces that span equal angles in cosine space, each taken in
+// its own mean direction. a, b: its ends, shading space; w: see blended_ratio.
+//
+// A long light has no one direction, least of all one low over the horizon, where the BRDF vanishes and
+// the lobe does not. The weights are line_term's, whose angles are steps of a rotation.
+ltc_SegmentRatio ltc_segment_ratio(ltc_Surface s, ltc_Lobe lobe, vec3 a, vec3 b, float w) {
+  ltc_ClippedEdge edge = ltc_clip_edge(ltc_to_cosine(lobe, a), ltc_to_cosine(lobe, b), a.z, b.z);
+  vec3 t = ltc_safe_direction(edge.p1 - edge.p0);
+  float from = dot(edge.p0, t);
+  float to = dot(edge.p1, t);
+  vec3 foot = edge.p0 - t * from;
+  float d2 = max(dot(foot, foot),
+                 1.0e-12 * (dot(edge.p0, edge.p0) + dot(edge.p1, edge.p1)) + ltc_k_tiny);
+  float inv_d = inversesqrt(d2);
+  float d = d2 * inv_d;
+  vec3 f = foot * inv_d;
+  float step = ltc_angle_of(d2 + from * to, d * (to - from)) * (1.0 / float(ltc_k_line_pieces));
+  float step_cos = cos(step);
+  float step_sin = sin(step);
+  float inv_r = inversesqrt(d2 + from * from);
+  float c = d * inv_r;
+  float n = from * inv_r;
+  float total = ltc_k_tiny;
+  ltc_SegmentRatio mean;
+  mean.scale = 0.0;
+  mean.bias = 0.0;
+  for (int i = 0; i < ltc_k_line_pieces; ++i) {
+    float next_c = c * step_cos - n * step_sin;
+    float next_n = n * step_cos + c * step_sin;
+    vec3 sum = f * (step + next_n * next_c - n * c) + t * (next_n * next_n - n * n);
+    float weight = max(sum.z, 0.0);
+    vec3 wi = ltc_safe_direction(ltc_from_cosine(lobe, sum));
+    float part = weight * ltc_blended_ratio(s, wi, w);
+    mean.scale = mean.scale + part;
+    mean.bias = mean.bias + part * ltc_fresnel_weight(s.wo, wi);
+    total = total + weight;
+    c = next_c;
+    n = next_n;
+  }
+  float inv_total = edge.outside ? 0.0 : 1.0 / total;
+  mean.scale = mean.scale * inv_total;
+  mean.bias = mean.bias * inv_total;
+  return mean;
+}
+
+// Specular light of a line from a to b, shading space, of which the lobes have these shares. Each lobe is
+// divided by itself, against the density of both: the balance heuristic of importance sampling.
+vec3 ltc_segment_reflectance(ltc_Surface s, vec3 a, vec3 b, float first, float second) {
+  ltc_SegmentRatio ratio = ltc_segment_ratio(s, s.fitted.lobe, a, b, 1.0);
+  float scale = ratio.scale * first;
+  float bias = ratio.bias * first;
+  return (s.f0 * scale + (s.f90 - s.f0) * bias) * s.fitted.n1;
+}
+
+// Reflected light of a light of no width, whose integral is per metre of it and has no upper bound.
+ltc_ShadedLight ltc_shade_line_integral(ltc_Surface s, ltc_Line line, ltc_LightIntegral integral) {
+  float first = s.inv_share * integral.specular;
+  float second = s.second_inv_share * integral.second;
+  ltc_ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  if (s.corrected) {
+    shaded.specular = ltc_segment_reflectance(s, ltc_to_shading(s.frame, line.from - s.position),
+                                              ltc_to_shading(s.frame, line.to - s.position), first,
+                                              second);
+  } else {
+    vec3 fresnel = s.f0 + (s.f90 - s.f0) * ltc_fresnel_weight(s.wo, integral.specular_direction);
+    shaded.specular = fresnel * (s.fitted.n1 * (first + second));
+  }
+  return shaded;
+}
+
+// Light that a surface reflects of a line of 1 cd/m, without shadow.
+ltc_ShadedLight ltc_shade_line_parts(ltc_Surface s, ltc_Line line) {
+  return ltc_shade_line_integral(s, line, ltc_surface_line_integral(s, line));
+}
+
+// Light that a surface reflects of it, for radiance 1 and without shadow: shade_line_parts, both together.
+vec3 ltc_shade_line(ltc_Surface s, ltc_Line line) {
+  return ltc_both_parts(ltc_shade_line_parts(s, line));
+}
+
+// ---- tube ---------------------------------------------------------------------------------------
+//
+// The integral of a lobe over a round tube: a cylinder, open or closed, or a capsule. Exact, clipped
+// to both horizons.
+//
+// From outside, a closed tube is convex, and its outline is made of two straight edges, where planes
+// through the point touch the whole length, and of an arc around each end: of the end's disk, or of
+// the sphere that rounds it off. Under M^-1 planes stay planes and cones stay elliptic cones
+// (cone.glsl), so the outline keeps its form, and the integral is the sum of two edges and two arcs.
+// An open tube shows its lateral surface alone: at an end whose disk one would look into, the near
+// half of the rim bounds it instead of the far one.
+//
+// In shading space, with u the axis, w the unit vector from the point to the axis' line at distance
+// h, and v = u x w, the touching planes have the normals g = -sin a w +- cos a v, sin a = radius / h,
+// and touch the ends at their centres + radius g, disks and spheres alike.
+
+// A round tube along a straight axis, which emits outwards.
+struct ltc_Tube {
+  vec3 from;    // ends of the axis, world space
+  vec3 to;      // the other end
+  float radius; // metres
+  float caps;   // 0: none, the lateral surface alone; 1: flat; 2: round, a capsule
+};
+
+// Whether its ends are closed.
+bool ltc_has_caps(ltc_Tube tube) { return tube.caps > 0.5; }
+
+// Whether its ends are hemispheres.
+bool ltc_has_round_caps(ltc_Tube tube) { return tube.caps > 1.5; }
+
+// A tube around the origin of shading space.
+struct ltc_TubeView {
+  vec3 from;    // one end of the axis
+  vec3 to;      // the other
+  vec3 axis;    // unit
+  vec3 w;       // unit, from the origin to the axis' line
+  vec3 v;       // axis x w
+  float height; // distance to the axis' line
+  vec3 left;    // radius times the normal of one touching plane
+  vec3 right;   // and of the other
+  bool beside;  // outside of the infinite cylinder
+};
+
+// A tube as `position`, world space, sees it.
+ltc_TubeView ltc_tube_view(ltc_Tube tube, vec3 position, ltc_Frame frame) {
+  ltc_TubeView view;
+  view.from = ltc_to_shading(frame, tube.from - position);
+  view.to = ltc_to_shading(frame, tube.to - position);
+  view.axis = ltc_safe_direction(view.to - view.from);
+  vec3 foot = view.from - view.axis * dot(view.from, view.axis);
+  float height2 = dot(foot, foot);
+  bool on_axis = height2 <= 1.0e-12 * dot(view.from, view.from) + ltc_k_tiny;
+  view.w = on_axis ? ltc_any_perpendicular(view.axis) :
+           foot * inversesqrt(max(height2, ltc_k_tiny));
+  view.v = cross(view.axis, view.w);
+  view.height = sqrt(height2);
+  view.beside = view.height > tube.radius && !on_axis;
+  float sine = min(tube.radius / max(view.height, ltc_k_tiny), 1.0);
+  float cosine = sqrt(max((1.0 - sine) * (1.0 + sine), 0.0));
+  view.left = (view.v * cosine - view.w * sine) * tube.radius;
+  view.right = (-(view.v * cosine) - view.w * sine) * tube.radius;
+  return view;
+}
+
+// Which part of the outline of an end's cone bounds the tube.
+struct ltc_TubeEnd {
+  ltc_Cone cone; // of directions to the end, cosine space
+  ltc_Arc part;  // of its outline
+  float sign;    // -1: followed clockwise, 0: not at all
+  vec3 left;     // where it meets the edges, on the cone, unit, cosine space
+  vec3 right;    // and where it meets the other one
+};
+
+// One end. `center`, `away`: its centre and the unit direction out of it along the axis, shading
+// space; `first`: whether it is the one at Tube.from, through which the outline runs from right to
+// left; `whole`: whether this end is what points that are not beside the tube see.
+ltc_TubeEnd ltc_tube_end(ltc_Tube tube, ltc_TubeView view, vec3 center, vec3 away, bool first,
+                         bool whole, ltc_Lobe lobe) {
+  bool round = ltc_has_round_caps(tube);
+  float distance2 = dot(center, center);
+  vec3 direction = center * inversesqrt(max(distance2, ltc_k_tiny));
+  vec3 u = ltc_any_perpendicular(direction);
+  float radius = round ? ltc_tangent_disk_radius(distance2, tube.radius) : tube.radius;
+  vec3 a = (round ? u : view.w) * radius;
+  vec3 b = (round ? cross(direction, u) : view.v) * radius;
+  ltc_TubeEnd result;
+  result.cone = ltc_make_cone(ltc_to_cosine(lobe, center), ltc_to_cosine(lobe, a),
+                              ltc_to_cosine(lobe, b));
+  float left = ltc_outline_parameter(result.cone, ltc_to_cosine(lobe, center + view.left));
+  float right = ltc_outline_parameter(result.cone, ltc_to_cosine(lobe, center + view.right));
+  result.left = ltc_cone_direction(result.cone, left);
+  result.right = ltc_cone_direction(result.cone, right);
+  // An open end that one looks into: the other arc, backwards.
+  bool into = !ltc_has_caps(tube) && dot(center, away) < 0.0;
+  float forth = ltc_wrapped_turn(first ? left - right : right - left);
+  float back = ltc_wrapped_turn(first ? right - left : left - right);
+  float begin = first ? right : left;
+  float end = first ? left : right;
+  result.part.start = into ? end : begin;
+  result.part.extent = view.beside ? (into ? back : forth) : 2.0 * ltc_k_pi;
+  result.sign = view.beside ? (into ? -1.0 : 1.0) : (whole ? 1.0 : 0.0);
+  return result;
+}
+
+// 2 pi times the vector irradiance of half of an end of a thin tube: what bulges out beyond the
+// strip around its axis, as a small light (density times solid angle: docs/method.md, section 9).
+vec3 ltc_thin_end_term(ltc_Tube tube, vec3 center, vec3 away, ltc_Lobe lobe) {
+  float distance2 = max(dot(center, center), ltc_k_tiny);
+  float distance = sqrt(distance2);
+  float facing = dot(center, away) / distance;
+  bool into = !ltc_has_caps(tube) && facing < 0.0;
+  float area = 0.5 * ltc_k_pi * tube.radius * tube.radius *
+               (ltc_has_round_caps(tube) ? 1.0 : abs(facing)) * (into ? -1.0 : 1.0);
+  // Solid angle area / r^2, in cosine space det / |M^-1 w|^3 times that, w = center / r.
+  vec3 o = ltc_to_cosine(lobe, center);
+  float inv_o = inversesqrt(max(dot(o, o), ltc_k_tiny));
+  float solid_angle_o = area * lobe.det * (distance * inv_o) * (inv_o * inv_o);
+  bool above = center.z > 0.0 && o.z > 0.0;
+  return above ? o * (2.0 * solid_angle_o * inv_o) : vec3(0.0, 0.0, 0.0);
+}
+
+// Angular radius of a tube in the space that `lobe` leads to, at most, where it is closest.
+float ltc_tube_thickness(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe) {
+  vec3 a = ltc_to_cosine(lobe, view.from);
+  vec3 d = ltc_to_cosine(lobe, view.to) - a;
+  float t = min(max(-dot(a, d) / max(dot(d, d), ltc_k_tiny), 0.0), 1.0);
+  vec3 nearest = a + d * t;
+  return tube.radius * sqrt(ltc_lobe_stretch2(lobe) / max(dot(nearest, nearest), ltc_k_tiny));
+}
+
+// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
+// `cut`, of its part in front of the plane with unit normal `front` (that space).
+vec3 ltc_sum_tube_outline(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe, vec3 front, bool cut) {
+  bool round = ltc_has_round_caps(tube);
+  bool closed = ltc_has_caps(tube);
+  // Not beside the tube: in front of one of its ends.
+  float from_along = dot(view.from, view.axis);
+  float to_along = dot(view.to, view.axis);
+  bool see_from = from_along > 0.0 && closed;
+  bool see_to = to_along < 0.0 && closed;
+  float radius2 = tube.radius * tube.radius;
+  see_from = see_from && (!round || dot(view.from, view.from) > radius2);
+  see_to = see_to && (!round || dot(view.to, view.to) > radius2);
+
+  ltc_TubeEnd first = ltc_tube_end(tube, view, view.from, -view.axis, true, see_from, lobe);
+  ltc_TubeEnd second = ltc_tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
+
+  vec3 from_left_o = ltc_to_cosine(lobe, view.from + view.left);
+  vec3 from_right_o = ltc_to_cosine(lobe, view.from + view.right);
+  vec3 to_left_o = ltc_to_cosine(lobe, view.to + view.left);
+  vec3 to_right_o = ltc_to_cosine(lobe, view.to + view.right);
+  float edges = view.beside ? 1.0 : 0.0;
+  vec3 up = ltc_horizon_normal_cosine(lobe);
+  bool whole = ltc_cone_is_above(first.cone, up) && ltc_cone_is_above(second.cone, up);
+  if (cut) {
+    whole = whole && ltc_cone_is_above(first.cone, front) && ltc_cone_is_above(second.cone, front);
+  }
+  vec3 all = ltc_edge_term(from_left_o, to_left_o, to_left_o - from_left_o) * edges +
+             ltc_edge_term(to_right_o, from_right_o, from_right_o - to_right_o) * edges +
+             ltc_arc_term(first.cone, first.part) * first.sign +
+             ltc_arc_term(second.cone, second.part) * second.sign;
+  // Uniform shortcut: no lane needs to clip.
+  if (whole) {
+    return all;
+  }
+  // The apex is on the side where the y axis comes closest to the tube's line: if it meets the tube,
+  // it does so around there. A point that is not beside the tube sees one end alone.
+  float along = -(view.from.x * view.axis.x + view.from.z * view.axis.z) /
+                max(view.axis.x * view.axis.x + view.axis.z * view.axis.z, 1.0e-12);
+  float y_end = see_from ? first.cone.e3.y : second.cone.e3.y;
+  float y = view.beside ? view.from.y + view.axis.y * along : y_end;
+  float s = y < 0.0 ? -1.0 : 1.0;
+  // Edges run between the very points where the arcs end, so that all is one closed outline.
+  vec3 a = first.left;
+  vec3 b = second.left;
+  vec3 c = second.right;
+  vec3 d = first.right;
+  if (cut) {
+    // Some point where the outline crosses the plane, if it does.
+    vec3 q = view.beside ? a : (see_from ? first.cone.e3 : second.cone.e3);
+    q = first.sign != 0.0 ? ltc_arc_crossing(first.cone, first.part, front, q) : q;
+    q = second.sign != 0.0 ? ltc_arc_crossing(second.cone, second.part, front, q) : q;
+    q = view.beside ? ltc_edge_crossing(a, b, front, q) : q;
+    q = view.beside ? ltc_edge_crossing(c, d, front, q) : q;
+    vec3 part = ltc_edge_in_front(a, b, q, up, front, s) * edges +
+                ltc_edge_in_front(c, d, q, up, front, s) * edges +
+                ltc_arc_in_front(first.cone, first.part, q, up, front, s) * first.sign +
+                ltc_arc_in_front(second.cone, second.part, q, up, front, s) * second.sign;
+    return whole ? all : part;
+  }
+  vec3 clipped = ltc_closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
+                 ltc_closed_edge_term(c, d, dot(up, c), dot(up, d), s) * edges +
+                 ltc_clipped_arc_term(first.cone, first.part, up, s) * first.sign +
+                 ltc_clipped_arc_term(second.cone, second.part, up, s) * second.sign;
+  return whole ? all : clipped;
+}
+
+// light_concentration's outline2 of a tube, whose length segment_ratio sees to: of the two points that
+// are across from each other where it is nearest.
+float ltc_tube_outline2(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe) {
+  vec3 a = ltc_to_cosine(lobe, view.from);
+  vec3 d = ltc_to_cosine(lobe, view.to) - a;
+  float t = min(max(-dot(a, d) / max(dot(d, d), ltc_k_tiny), 0.0), 1.0);
+  vec3 nearest = a + d * t;
+  vec3 across = ltc_to_cosine(lobe, view.v) * tube.radius;
+  float distance2 = dot(nearest, nearest);
+  return distance2 / max(distance2 + dot(across, across), ltc_k_tiny);
+}
+
+// Angular radius below which a tube is its strip and ends alone.
+const float ltc_k_wholly_thin = 0.004;
+
+// 1 over how much more it takes to be its outline alone, from 0.008 on.
+const float ltc_k_inv_thin_range = 250.0;
+
+// k_wholly_thin where a plane cuts the tube.
+const float ltc_k_wholly_thin_cut = 0.0005;
+
+// And k_inv_thin_range there: its outline alone from 0.001 on.
+const float ltc_k_inv_thin_range_cut = 2000.0;
+
+// The same for tubes of any thickness.
+//
+// The two edges of a thin tube nearly cancel, of which rounding makes 1e-7 over its angular radius.
+// So from a hundredth downwards it is handed over, without a step, to the strip around its axis and
+// the halves of its ends, which is wrong by the square of that radius. `heights`: over the plane with
+// unit normal `front` (shading space); where that cuts it, `cut`, the strip would vanish all at once,
+// and the outline, though less exact, serves for thinner ones.
+vec3 ltc_sum_tube(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe, vec3 front,
+                  ltc_Heights heights, bool cut) {
+  float thickness = ltc_tube_thickness(tube, view, lobe);
+  float exact = min(max((thickness - ltc_k_wholly_thin) * ltc_k_inv_thin_range, 0.0), 1.0);
+  vec3 from = view.from;
+  vec3 to = view.to;
+  bool from_seen = true;
+  bool to_seen = from_seen;
+  bool strip_seen = from_seen;
+  if (cut) {
+    float thinner = min(max((thickness - ltc_k_wholly_thin_cut) * ltc_k_inv_thin_range_cut, 0.0),
+                        1.0);
+    exact = heights.low < 0.0 && heights.high > 0.0 ? thinner : exact;
+    ltc_FrontSegment part = ltc_segment_in_front(from, to, front);
+    from_seen = dot(front, from) > 0.0;
+    to_seen = dot(front, to) > 0.0;
+    strip_seen = part.some;
+    from = part.a;
+    to = part.b;
+  }
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  // Uniform shortcuts: no lane has one form or the other.
+  if (exact > 0.0) {
+    sum = ltc_sum_tube_outline(tube, view, lobe, ltc_plane_normal_cosine(lobe, front), cut) * exact;
+  }
+  if (exact < 1.0) {
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    vec3 thin = (strip_seen ? ltc_sum_line(from, to, lobe) * (2.0 * tube.radius) : none) +
+                (from_seen ? ltc_thin_end_term(tube, view.from, -view.axis, lobe) : none) +
+                (to_seen ? ltc_thin_end_term(tube, view.to, view.axis, lobe) : none);
+    sum = sum + (exact < 1.0 ? thin * (1.0 - exact) : none);
+  }
+  return sum;
+}
+
+// Of a tube over the plane through `position` with that unit normal, world space.
+ltc_Heights ltc_tube_heights(ltc_Tube tube, vec3 position, vec3 normal) {
+  float from = dot(normal, tube.from - position);
+  float to = dot(normal, tube.to - position);
+  vec3 axis = ltc_safe_direction(tube.to - tube.from);
+  float along = dot(normal, axis);
+  float reach = tube.radius *
+                (ltc_has_round_caps(tube) ? 1.0 : sqrt(max(1.0 - along * along, 0.0)));
+  ltc_Heights heights;
+  heights.low = min(from, to) - reach;
+  heights.high = max(from, to) + reach;
+  return heights;
+}
+
+// integrate_tube; where `cut`, over what is in front of the plane with unit normal `front` (shading
+// space), over which the tube has these heights.
+ltc_LightIntegral ltc_integrate_tube_part(ltc_Tube tube, vec3 position, ltc_Frame frame,
+                                          ltc_Lobe lobe, vec3 front, ltc_Heights heights,
+                                          bool cut) {
+  ltc_TubeView view = ltc_tube_view(tube, position, frame);
+  // Its highest point: a tube below the horizon gives nothing, rounding or not.
+  float reach = tube.radius *
+                (ltc_has_round_caps(tube) ? 1.0 : sqrt(max(1.0 - view.axis.z * view.axis.z, 0.0)));
+  float seen = max(view.from.z, view.to.z) + reach > 0.0 ? 1.0 : 0.0;
+  return ltc_light_integral(ltc_sum_tube(tube, view, ltc_cosine_lobe(), front, heights, cut) * seen,
+                            ltc_sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
+                            ltc_tube_outline2(tube, view, lobe));
+}
+
+// The integral over a tube as a surface sees it; see surface_polygon_integral.
+ltc_LightIntegral ltc_surface_tube_integral(ltc_Surface s, ltc_Tube tube) {
+  ltc_Heights heights = ltc_no_heights();
+  bool cut = false;
+  if (s.tilted) {
+    heights = ltc_tube_heights(tube, s.position, s.geometric);
+    cut = heights.low < 0.0;
+  }
+  ltc_LightIntegral integral = ltc_integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe,
+                                                       ltc_front_shading(s), heights, cut);
+  if (cut) {
+    return ltc_unless_hidden(s, heights, integral);
+  }
+  return integral;
+}
+
+// An end of a tube's axis, shading space, lifted to the middle of what stands out of the surface there.
+vec3 ltc_lifted_end(ltc_Surface s, ltc_Tube tube, vec3 end) {
+  vec3 p = ltc_to_shading(s.frame, end - s.position);
+  p.z = p.z + 0.5 * max(tube.radius - p.z, 0.0);
+  return p;
+}
+
+// Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
+// mean along it.
+ltc_ShadedLight ltc_shade_tube_integral(ltc_Surface s, ltc_Tube tube, ltc_LightIntegral integral) {
+  if (!s.corrected) {
+    return ltc_shade_integral(s, integral);
+  }
+  float share = ltc_filled_share(s, integral);
+  float w = ltc_ratio_weight(integral, share);
+  vec3 from = ltc_lifted_end(s, tube, tube.from);
+  vec3 to = ltc_lifted_end(s, tube, tube.to);
+  ltc_SegmentRatio ratio = ltc_segment_ratio(s, s.fitted.lobe, from, to, w);
+  // The thicker the tube, the less its axis tells of the direction that its light comes from.
+  bool along = ratio.scale > 0.0;
+  float direct = ltc_fresnel_weight(s.wo, integral.specular_direction);
+  float mean = direct + (ratio.bias / max(ratio.scale, ltc_k_tiny) - direct) * w;
+  float weight = (along ? mean : direct) + share * s.axis_weight;
+  float filled = min(share * (along ? ratio.scale : 1.0), 1.0);
+  ltc_ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
+  return shaded;
+}
+
+// Light that a surface reflects of a tube of radiance 1, without shadow.
+ltc_ShadedLight ltc_shade_tube_parts(ltc_Surface s, ltc_Tube tube) {
+  return ltc_shade_tube_integral(s, tube, ltc_surface_tube_integral(s, tube));
+}
+
+// Light that a surface reflects of it, for radiance 1 and without shadow: shade_tube_parts, both together.
+vec3 ltc_shade_tube(ltc_Surface s, ltc_Tube tube) {
+  return ltc_both_parts(ltc_shade_tube_parts(s, tube));
+}
+
+// ---- emission -----------------------------------------------------------------------------------
+//
+// The emission of a light with a texture, as a lobe sees it: the texture's mean over the light,
+// weighted by the lobe.
+//
+// Source: Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly
+// Transformed Cosines", section 5.2, approximates the weight by one Gaussian in the light's plane
+// and looks up a texture that was convolved by it beforehand. That blurs what a stretched lobe
+// keeps sharp, and knows no horizon. The weight is known, though: a point x of the light's plane,
+// seen in cosine space at p = M^-1 x, has
+//   K(x) = D(x/|x|) times solid angle per area = constant * max(0, p.z) / |p|^4,
+// because M^-1 is linear and |p|^4 takes up both D's own fall-off and the plane's. So we integrate
+// it: a few points, each with its own exact weight, and the texture prefiltered to the width of the
+// point's cell, so that it need only be K that they resolve.
+//
+// The cells. m is where the mean direction of the light, the vector irradiance of its closed form,
+// meets the plane. About m, |p|^2 grows by a square over a width that is one radian in cosine space:
+// along a unit vector e of the plane, |p_m| over the part of M^-1 e at right angles to p_m. The axes
+// are those of that quadratic form, with a little of the light's own rectangle added so that a
+// round lobe divides a rectangle along its sides. Along each axis 1/(1 + y^2)^2, seen from the side,
+// is (1 + y^2)^-3/2, whose integral is t = y / sqrt(1 + y^2): cells are equal steps of t between
+// the light's ends.
+//
+// The prelude of each target gives the texture, the same for all lanes; see light/emission_stack.h:
+//   Vec4 emission_texel(EmissionTexture, Vec2 uv, Real level)  trilinear, uv in [0, 1] over the
+//                                     light's bounding rectangle: r g b times the light's share of
+//                                     the place, and that share
+//   Vec2 emission_texel_count(EmissionTexture)    columns and rows of level 0
+//   Vec3 emission_corner, emission_axis_u, emission_axis_v(EmissionTexture)   that rectangle, world
+//                                     space; unit axes at right angles
+//   Vec2 emission_extent(EmissionTexture)         its sides in metres
+
+// Cells along the narrow axis. 24 in all reach a third of the error of one look, 9 half of it; 96 an
+// eighth.
+const int ltc_k_emission_narrow_cells = 4;
+
+// And along the wide one.
+const int ltc_k_emission_wide_cells = 6;
+
+// Texels of a level to a cell's side. The error is flat from 0.5 to 0.7: a texel stands for a
+// Gaussian of 0.5 and the interpolation between texels.
+const float ltc_k_emission_texels_per_cell = 0.65;
+
+// Share of the lobe's own axis in the direction of m. The vector irradiance weighs all of the light
+// alike; a little of the axis draws m towards where the lobe is dense, and more loses lights that
+// the axis misses.
+const float ltc_k_emission_axis_share = 0.25;
+
+// Share of the light's rectangle in the form whose axes the cells follow.
+const float ltc_k_emission_rectangle_share = 0.5;
+
+// 1 / (2 ln 2): half the binary logarithm, from the natural one.
+const float ltc_k_half_inv_ln2 = 0.72134752044448170368;
+
+// Integral variable t = y / sqrt(1 + y^2).
+float ltc_emission_step_from_width(float y) { return y * inversesqrt(1.0 + y * y); }
+
+// Its inverse, y of t in (-1, 1).
+float ltc_emission_width_from_step(float t) { return t * inversesqrt(max(1.0 - t * t, 1.0e-10)); }
+
+// Part of an axis that a cell takes, in metres from the middle of the kernel.
+struct ltc_EmissionCell {
+  float center;  // where its middle lies
+  float side;    // length of the part that matters: no longer than its weight is
+  float measure; // length per step of t, times the step
+};
+
+// Cell `cell` of `cells` that are even in t from `low` to `high`; `width`: metres for y = 1.
+ltc_EmissionCell ltc_emission_cell(float width, float low, float high, int cell, int cells) {
+  float step = (high - low) / float(cells);
+  float t0 = low + step * float(cell);
+  float t = t0 + step * 0.5;
+  float inv_root = inversesqrt(max(1.0 - t * t, 1.0e-10));
+  ltc_EmissionCell result;
+  result.center = width * ltc_emission_width_from_step(t);
+  result.measure = width * step * inv_root * inv_root * inv_root;
+  result.side = min(width *
+                    (ltc_emission_width_from_step(t0 + step) - ltc_emission_width_from_step(t0)),
+                    result.measure);
+  return result;
+}
+
+// The part of a length that lies on a light.
+struct ltc_EmissionOverlap {
+  float center; // of the part
+  float share;  // of the length, 0..1
+};
+
+// The part of [center - half_length, center + half_length] that lies in [0, end], metres.
+ltc_EmissionOverlap ltc_emission_overlap(float center, float half_length, float end) {
+  float low = min(max(center - half_length, 0.0), end);
+  float high = min(max(center + half_length, 0.0), end);
+  ltc_EmissionOverlap result;
+  result.center = 0.5 * (low + high);
+  result.share = (high - low) * 0.5 / max(half_length, ltc_k_tiny);
+  return result;
+}
+
+// The share of a cell above a plane: `height` of its middle, `rise` from side to side.
+float ltc_emission_share_above(float height, float rise) {
+  return min(max(0.5 + height / max(rise, ltc_k_tiny), 0.0), 1.0);
+}
+
+// Mean of the texture over the light, weighted by `lobe` and clipped to both horizons, as seen
+// from `position` (world space). `mean_direction` (shading space, unit) is that of the light's
+// closed form for the same lobe: LightIntegral.diffuse_direction or specular_direction. It only
+// places the cells. Times the light's radiance, this is what the lobe's integral is multiplied by.
+// Where `cut`, the mean over what is in front of the plane with unit normal `front` (shading space).
+vec3 ltc_emission_seen_part(ltc_Quad emission, sampler2D emission_picture, vec3 position,
+                            ltc_Frame frame, ltc_Lobe lobe, vec3 mean_direction, vec3 front,
+                            bool cut) {
+  vec2 extent = ltc_emission_extent(emission, emission_picture);
+  vec3 axis_u = ltc_to_shading(frame, ltc_emission_axis_u(emission, emission_picture));
+  vec3 axis_v = ltc_to_shading(frame, ltc_emission_axis_v(emission, emission_picture));
+  vec3 corner = ltc_to_shading(frame, ltc_emission_corner(emission, emission_picture) - position);
+
+  // Where the mean direction meets the plane, within the light's rectangle; its middle where it
+  // does not.
+  vec3 mean_cosine = ltc_safe_direction(ltc_to_cosine(lobe, mean_direction));
+  mean_cosine.z = mean_cosine.z + ltc_k_emission_axis_share;
+  vec3 aim = ltc_safe_direction(ltc_from_cosine(lobe, mean_cosine));
+  vec3 normal = cross(axis_u, axis_v);
+  float height = dot(corner, normal);
+  float slope = dot(aim, normal);
+  bool meets = slope * height > 0.0 && abs(slope) > 1.0e-6;
+  vec3 on_plane = aim * (height / (meets ? slope : 1.0)) - corner;
+  float m_u = meets ? min(max(dot(on_plane, axis_u), 0.0), extent.x) : extent.x * 0.5;
+  float m_v = meets ? min(max(dot(on_plane, axis_v), 0.0), extent.y) : extent.y * 0.5;
+  vec3 m = corner + axis_u * m_u + axis_v * m_v;
+
+  // The quadratic form about m, in 1 / metre^2, and its axes.
+  vec3 m_cosine = ltc_to_cosine(lobe, m);
+  vec3 u_cosine = ltc_to_cosine(lobe, axis_u);
+  vec3 v_cosine = ltc_to_cosine(lobe, axis_v);
+  float inv_m2 = 1.0 / max(dot(m_cosine, m_cosine), ltc_k_tiny);
+  float along_u = dot(m_cosine, u_cosine) * inv_m2;
+  float along_v = dot(m_cosine, v_cosine) * inv_m2;
+  // No cell is narrower than a micrometre, which also keeps squares in range.
+  float form_uu = dot(u_cosine, u_cosine) * inv_m2 - along_u * along_u;
+  float form_vv = dot(v_cosine, v_cosine) * inv_m2 - along_v * along_v;
+  float form_uv = dot(u_cosine, v_cosine) * inv_m2 - along_u * along_v;
+  form_uu = min(max(form_uu, 1.0e-12), 1.0e12);
+  form_vv = min(max(form_vv, 1.0e-12), 1.0e12);
+  form_uv = min(max(form_uv, -1.0e12), 1.0e12);
+  float half_difference = 0.5 * (form_uu - form_vv) +
+                          0.5 * ltc_k_emission_rectangle_share *
+                          (1.0 / max(extent.x * extent.x, 1.0e-12) -
+                           1.0 / max(extent.y * extent.y, 1.0e-12));
+  float cos_double = half_difference *
+                     inversesqrt(max(half_difference * half_difference + form_uv * form_uv,
+                                     ltc_k_tiny));
+  float c = sqrt(max(0.5 + 0.5 * cos_double, 0.0));
+  float s = sqrt(max(0.5 - 0.5 * cos_double, 0.0));
+  s = form_uv < 0.0 ? -s : s;
+  float cross_form = 2.0 * c * s * form_uv;
+  float narrow_width = inversesqrt(max(c * c * form_uu + s * s * form_vv + cross_form, 1.0e-12));
+  float wide_width = inversesqrt(max(s * s * form_uu + c * c * form_vv - cross_form, 1.0e-12));
+
+  // How far the light reaches from m along them.
+  float middle_u = 0.5 * extent.x - m_u;
+  float middle_v = 0.5 * extent.y - m_v;
+  float narrow_middle = c * middle_u + s * middle_v;
+  float narrow_reach = 0.5 * (c * extent.x + abs(s) * extent.y);
+  float wide_middle = c * middle_v - s * middle_u;
+  float wide_reach = 0.5 * (abs(s) * extent.x + c * extent.y);
+  float narrow_low = ltc_emission_step_from_width((narrow_middle - narrow_reach) / narrow_width);
+  float narrow_high = ltc_emission_step_from_width((narrow_middle + narrow_reach) / narrow_width);
+  float wide_low = ltc_emission_step_from_width((wide_middle - wide_reach) / wide_width);
+  float wide_high = ltc_emission_step_from_width((wide_middle + wide_reach) / wide_width);
+
+  vec2 count = ltc_emission_texel_count(emission, emission_picture);
+  float inv_u = 1.0 / max(extent.x, ltc_k_tiny);
+  float inv_v = 1.0 / max(extent.y, ltc_k_tiny);
+  // Texels per cell, squared, over the cell's area; the level is half its logarithm.
+  float density = ltc_k_emission_texels_per_cell * ltc_k_emission_texels_per_cell * count.x *
+                  count.y * inv_u * inv_v;
+  float narrow_rise = abs(axis_u.z * c + axis_v.z * s);
+  float wide_rise = abs(axis_v.z * c - axis_u.z * s);
+  float narrow_front = 0.0;
+  float wide_front = 0.0;
+  if (cut) {
+    float front_u = dot(front, axis_u);
+    float front_v = dot(front, axis_v);
+    narrow_front = abs(front_u * c + front_v * s);
+    wide_front = abs(front_v * c - front_u * s);
+  }
+  float inv_m = sqrt(inv_m2);
+  vec4 sum = ltc_emission_texel(emission, emission_picture, vec2(0.5, 0.5), 99.0) * 1.0e-25;
+  for (int i = 0; i < ltc_k_emission_narrow_cells; ++i) {
+    ltc_EmissionCell narrow = ltc_emission_cell(narrow_width, narrow_low, narrow_high, i,
+                                                ltc_k_emission_narrow_cells);
+    for (int j = 0; j < ltc_k_emission_wide_cells; ++j) {
+      ltc_EmissionCell wide = ltc_emission_cell(wide_width, wide_low, wide_high, j,
+                                                ltc_k_emission_wide_cells);
+      // The cell's box along the rectangle's sides, as far as it lies in the rectangle.
+      ltc_EmissionOverlap in_u = ltc_emission_overlap(m_u + c * narrow.center - s * wide.center,
+                                                      0.5 * (c * narrow.side + abs(s) * wide.side),
+                                                      extent.x);
+      ltc_EmissionOverlap in_v = ltc_emission_overlap(m_v + s * narrow.center + c * wide.center,
+                                                      0.5 * (abs(s) * narrow.side + c * wide.side),
+                                                      extent.y);
+      // K there, and the share of the cell above the surface's horizon.
+      vec3 x = corner + axis_u * in_u.center + axis_v * in_v.center;
+      vec3 p = ltc_to_cosine(lobe, x) * inv_m;
+      float inv_p2 = 1.0 / max(dot(p, p), ltc_k_tiny);
+      float above = ltc_emission_share_above(x.z, narrow_rise * narrow.side + wide_rise * wide.side);
+      if (cut) {
+        above = above *
+                ltc_emission_share_above(dot(front, x),
+                                         narrow_front * narrow.side + wide_front * wide.side);
+      }
+      float weight = max(p.z, 0.0) * inv_p2 * inv_p2 * above * in_u.share * in_v.share *
+                     narrow.measure * wide.measure;
+      float level = ltc_k_half_inv_ln2 * log(max(density * narrow.side * wide.side, 1.0e-12));
+      sum = sum +
+            ltc_emission_texel(emission, emission_picture,
+                               vec2(in_u.center * inv_u, in_v.center * inv_v), level) * weight;
+    }
+  }
+  float inv_share = 1.0 / max(sum.w, ltc_k_tiny);
+  return vec3(sum.x * inv_share, sum.y * inv_share, sum.z * inv_share);
+}
+
+// ---- polynomial surface -------------------------------------------------------------------------
+//
+// What you call: a point of a surface, once for all lights.
+
+// A point with any reflectance. `normal`, on the viewer's side, and `view`, to the eye, are unit, world
+// space; `albedo` is that of the diffuse part, `f0` and `f90` the specular reflectance at normal and
+// grazing incidence, `roughness` 0..1.
+ltc_Surface ltc_surface_at(vec3 position, vec3 normal, vec3 view, vec3 albedo, vec3 f0, vec3 f90,
+                           float roughness) {
+  ltc_FittedLobe fitted = ltc_eval_lobe_polynomial(ltc_alpha_from_roughness(roughness),
+                                                   dot(normal, view));
+  return ltc_make_surface(fitted, position, normal, view, albedo, f0, f90, roughness);
+}
+
+// ---- gltf surface -------------------------------------------------------------------------------
+//
+// A point of glTF 2.0's material model, and what may be added to a point.
+
+// A point of a surface by glTF's metallic-roughness model; all values 0..1, colours linear.
+ltc_Surface ltc_gltf_surface(vec3 position, vec3 normal, vec3 view, vec3 base_color,
+                             float metallic, float roughness) {
+  vec3 dielectric = vec3(0.04, 0.04, 0.04);
+  vec3 f0 = dielectric + (base_color - dielectric) * metallic;
+  return ltc_surface_at(position, normal, view, base_color * (1.0 - metallic), f0,
+                        vec3(1.0, 1.0, 1.0), roughness);
+}
+
+// ---- lights -------------------------------------------------------------------------------------
+//
+// What you call: lights. Each function returns the light that a surface reflects of one of radiance 1,
+// without shadow; shade_X_parts has its diffuse and its specular part apart.
+
+// A rectangle or parallelogram: its middle, and from there to the middles of two sides. It emits along
+// half_u x half_v, or to both sides where two_sided is 1.
+ltc_Quad ltc_make_quad(vec3 center, vec3 half_u, vec3 half_v, float two_sided) {
+  ltc_Quad quad;
+  quad.center = center;
+  quad.half_u = half_u;
+  quad.half_v = half_v;
+  quad.two_sided = two_sided;
+  return quad;
+}
+
+// A disk, which emits along its unit normal.
+ltc_Ellipse ltc_make_disk(vec3 center, vec3 normal, float radius, float two_sided) {
+  vec3 u = ltc_any_perpendicular(normal);
+  ltc_Ellipse disk;
+  disk.center = center;
+  disk.half_u = u * radius;
+  disk.half_v = cross(normal, u) * radius;
+  disk.two_sided = two_sided;
+  return disk;
+}
+
+// An ellipse by its perpendicular semi-axes; it emits along half_u x half_v.
+ltc_Ellipse ltc_make_ellipse(vec3 center, vec3 half_u, vec3 half_v, float two_sided) {
+  ltc_Ellipse ellipse;
+  ellipse.center = center;
+  ellipse.half_u = half_u;
+  ellipse.half_v = half_v;
+  ellipse.two_sided = two_sided;
+  return ellipse;
+}
+
+// A sphere, which emits outwards.
+ltc_Sphere ltc_make_sphere(vec3 center, float radius) {
+  ltc_Sphere sphere;
+  sphere.center = center;
+  sphere.radius = radius;
+  return sphere;
+}
+
+// A tube between two points. caps: 0 for an open one, 1 for a cylinder with flat ends, 2 for a capsule.
+ltc_Tube ltc_make_tube(vec3 from, vec3 to, float radius, float caps) {
+  ltc_Tube tube;
+  tube.from = from;
+  tube.to = to;
+  tube.radius = radius;
+  tube.caps = caps;
+  return tube;
+}
+
+// A line between two points, which has no width: instead of radiance 1, an intensity of 1 per metre
+// across it.
+ltc_Line ltc_make_line(vec3 from, vec3 to) {
+  ltc_Line line;
+  line.from = from;
+  line.to = to;
+  return line;
+}
+
+// ---- textured -----------------------------------------------------------------------------------
+//
+// A rectangle with a picture.
+
+// Light that a surface reflects of a rectangle whose radiance is a picture, without shadow. The picture's
+// mean is taken over the light as each part of the surface's reflection sees it. half_u and half_v are at
+// right angles.
+vec3 ltc_shade_textured_quad(ltc_Surface s, ltc_Quad quad, sampler2D picture) {
+  ltc_LightIntegral integral = ltc_surface_quad_integral(s, quad);
+  ltc_ShadedLight shaded = ltc_shade_integral(s, integral);
+  vec3 front = ltc_front_shading(s);
+  vec3 diffuse = ltc_emission_seen_part(quad, picture, s.position, s.frame, ltc_cosine_lobe(),
+                                        integral.diffuse_direction, front, s.tilted);
+  vec3 specular = vec3(0.0, 0.0, 0.0);
+  specular = ltc_emission_seen_part(quad, picture, s.position, s.frame, s.fitted.lobe,
+                                    integral.specular_direction, front, s.tilted);
+  return shaded.diffuse * diffuse + shaded.specular * specular;
+}

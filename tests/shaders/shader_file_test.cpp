@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Whole shader files: what is in them, what is not, and that those in shaders/ are what is made
+// today.
+
+#include "openltc/shaders/shader_file.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <string>
+
+using namespace openltc;
+using namespace openltc::shaders;
+
+namespace {
+
+ShaderRequest request_of(Language language, std::vector<Shape> shapes = {Shape::quad},
+                         Lobe lobe = Lobe::polynomial) {
+  ShaderRequest request;
+  request.language = language;
+  request.shapes = std::move(shapes);
+  request.lobe = lobe;
+  request.version = OPENLTC_VERSION;
+  return request;
+}
+
+std::string shader(const ShaderRequest& request) {
+  const Result<std::string> text = make_shader(request);
+  REQUIRE_MESSAGE(text, text.error().message);
+  return *text;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string without_comments(const std::string& text) {
+  return std::regex_replace(text, std::regex("//[^\n]*"), "");
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+} // namespace
+
+TEST_CASE("the files in shaders/ are what is made today, byte for byte") {
+  // tools/make_shaders.sh writes them.
+  for (const Language language : all_languages())
+    for (const ShaderRequest& request :
+         {request_of(language), request_of(language, {Shape::quad}, Lobe::table),
+          request_of(language, all_shapes())}) {
+      const std::string path = OPENLTC_SOURCE_DIR "/shaders/" + file_name(request);
+      const bool same = read_text(path) == shader(request);
+      CHECK_MESSAGE(same, path);
+    }
+}
+
+TEST_CASE("every name that others see begins with the prefix") {
+  const std::regex declared(
+      "^(?:struct|fn|const int|const float|const vec[24]|const|static const \\w+|constant "
+      "\\w+|(?:static inline )?(?:float|bool|int|vec[234]|float[234]|Zz\\w+)) (\\w+)",
+      std::regex::multiline);
+  for (const Language language : all_languages())
+    for (const Lobe lobe : {Lobe::polynomial, Lobe::two_lobe}) {
+      ShaderRequest request = request_of(language, all_shapes(), lobe);
+      request.prefix = "Zz";
+      const std::string text = without_comments(shader(request));
+      int names = 0;
+      for (std::sregex_iterator at(text.begin(), text.end(), declared), end; at != end;
+           ++at, ++names)
+        CHECK_MESSAGE((*at)[1].str().rfind("Zz", 0) == 0, name_of(language)
+                                                              << ": " << (*at)[1].str());
+      CHECK(names > 200);
+    }
+}
+
+TEST_CASE("only what the shapes need is in a file") {
+  const std::string quad = without_comments(shader(request_of(Language::glsl)));
+  CHECK(contains(quad, "vec3 ltc_shade_quad("));
+  for (const char* other : {"Ellipse", "Cone", "Sphere", "Tube", "ltc_Line", "olygon_data",
+                            "emission", "ample", "second", "exact_line", "first_direction"})
+    CHECK_MESSAGE(!contains(quad, other), other);
+  const std::string sphere = without_comments(shader(request_of(Language::wgsl, {Shape::sphere})));
+  CHECK(contains(sphere, "fn ltc_shade_sphere("));
+  CHECK(contains(sphere, "ltc_Cone"));
+  for (const char* other : {"uad", "olygon_point", "Tube", "sum_edges"})
+    CHECK_MESSAGE(!contains(sphere, other), other);
+  CHECK(contains(shader(request_of(Language::hlsl, {Shape::quad}, Lobe::two_lobe)),
+                 "second_inv_share"));
+  CHECK(!contains(shader(request_of(Language::hlsl, {Shape::quad}, Lobe::table)),
+                  "ltc_k_polynomial_mirror"));
+}
+
+TEST_CASE("sources, derivations and structure are in the file") {
+  const std::string text = shader(request_of(Language::hlsl));
+  CHECK(contains(
+      text, "//   Lambert 1760; Baum, Rushmeier, Winget 1989, \"Improving Radiosity Solutions"));
+  CHECK(contains(text, "// [ m00  0  m02 ]") == false); // indented, as it is in the source
+  CHECK(contains(text, "//   [ m00  0  m02 ]"));
+  CHECK(contains(text, "\n  // Uniform shortcut: no lane has anything to clip.\n"));
+  CHECK(contains(text, "SPDX-License-Identifier: MIT"));
+  CHECK(contains(text, "OpenLTC " OPENLTC_VERSION));
+}
+
+TEST_CASE("a quad takes three lines, which the head of each file shows") {
+  CHECK(contains(shader(request_of(Language::glsl)),
+                 "//   ltc_Surface surface = ltc_gltf_surface(position, normal, view, base_color, "
+                 "metallic, roughness);\n"
+                 "//   ltc_Quad lamp = ltc_make_quad(center, half_u, half_v, 0.0);\n"
+                 "//   light += radiance * ltc_shade_quad(surface, lamp);\n"));
+}
+
+TEST_CASE("the same request gives the same text, whatever was made before") {
+  const std::string first = shader(request_of(Language::wgsl, all_shapes()));
+  shader(request_of(Language::metal, {Shape::line}, Lobe::two_lobe));
+  CHECK(shader(request_of(Language::wgsl, all_shapes())) == first);
+}
+
+TEST_CASE("files are named by prefix, shapes, lobe and language") {
+  CHECK(file_name(request_of(Language::glsl)) == "ltc_quad.glsl");
+  CHECK(file_name(request_of(Language::glsl_es)) == "ltc_quad_es.glsl");
+  CHECK(file_name(request_of(Language::wgsl, {Shape::quad, Shape::tube}, Lobe::table)) ==
+        "ltc_quad_tube_table.wgsl");
+  ShaderRequest request = request_of(Language::gdshader, all_shapes(), Lobe::two_lobe);
+  request.prefix = "Area";
+  CHECK(file_name(request) == "Area_lights_two_lobe.gdshaderinc");
+}
+
+TEST_CASE("prefixes that no language takes are refused") {
+  for (const char* good : {"ltc_", "x", "Area7_", "a_b"})
+    CHECK(check_prefix(good));
+  for (const char* bad : {"", "7up", "_ltc", "a-b", "a__b", "gl_ltc", "ä", "a b"})
+    CHECK_MESSAGE(!check_prefix(bad), bad);
+}
