@@ -115,7 +115,7 @@ CaseSet make_cases(CaseShape shape) {
   Random random(std::uint64_t(shape) + 11);
   for (int block = 0; block < k_case_count / k_case_block; ++block) {
     const LightShape light_shape = light_shape_of(shape, block);
-    const int form = block / 12 % 3; // six pairs of blocks: every kind of disk and tube in every form
+    const int form = block / 12 % k_case_forms; // six pairs of blocks: every kind of disk and tube in every form
     const std::vector<LightCase> lights = fuzz_lights(light_shape, std::uint64_t(block));
     Parallelogram quad;
     float extra = 0;

@@ -4,6 +4,7 @@
 
 Cases and results: shader_case.h. `ltc_` is the prefix of the shader file."""
 
+k_forms = 3
 k_shapes = ("quad", "polygon", "disk", "sphere", "tube", "line")
 
 # Shape -> the function's name, the light's type, and how a case's a, b, c make one.
@@ -21,8 +22,7 @@ k_glsl_case = """
 vec4 run_SHAPE(vec4 at, vec4 n, vec4 eye, vec4 triangle, vec4 a, vec4 b, vec4 c) {
   ltc_Surface surface = ltc_surface_at(at.xyz, n.xyz, eye.xyz, vec3(n.w), vec3(eye.w), vec3(1.0), at.w);
   if (triangle.w == 1.0) { surface = ltc_correct_at_mean(surface); }
-  if (triangle.w == 2.0) { surface = ltc_set_geometric_normal(surface, triangle.xyz); }
-  TYPE light = MAKE;
+HIDE  TYPE light = MAKE;
   ltc_ShadedLight parts = ltc_shade_NAME_parts(surface, light);
   return vec4(parts.diffuse.x, parts.specular.x, 0.0, 0.0);
 }
@@ -32,8 +32,7 @@ k_wgsl_case = """
 fn run_SHAPE(at: vec4f, n: vec4f, eye: vec4f, triangle: vec4f, a: vec4f, b: vec4f, c: vec4f) -> vec4f {
   var surface = ltc_surface_at(at.xyz, n.xyz, eye.xyz, vec3f(n.w), vec3f(eye.w), vec3f(1.0), at.w);
   if (triangle.w == 1.0) { surface = ltc_correct_at_mean(surface); }
-  if (triangle.w == 2.0) { surface = ltc_set_geometric_normal(surface, triangle.xyz); }
-  let light = MAKE;
+HIDE  let light = MAKE;
   let parts = ltc_shade_NAME_parts(surface, light);
   return vec4f(parts.diffuse.x, parts.specular.x, 0.0, 0.0);
 }
@@ -133,9 +132,15 @@ k_languages = {
 }
 
 
-def case_kernel(language, source, shape):
-    """A whole shader that evaluates cases of `shape` by the shader file `source`."""
+k_hide = """  if (triangle.w == 2.0) { surface = ltc_set_geometric_normal(surface, triangle.xyz); }
+"""
+
+
+def case_kernel(language, source, shape, forms=k_forms):
+    """A whole shader that evaluates cases of `shape` by the shader file `source`. With two forms it has none for
+    the third, whose results are then those of the first."""
     head, case, _, main, _ = k_languages[language]
+    case = case.replace("HIDE", k_hide if forms == k_forms else "")
     return head + source + fill(case, shape) + main.replace("RUN", "run_" + shape)
 
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-//   parity_cases write FOLDER                  the cases of every shape, and what C++ makes of them
-//   parity_cases compare FOLDER SHAPE TARGET   how far FOLDER/TARGET_SHAPE.bin is from double
+//   parity_cases write FOLDER                          the cases of every shape, and what C++ makes of them
+//   parity_cases compare FOLDER SHAPE TARGET [FORMS]   how far FOLDER/TARGET_SHAPE.bin is from double
 //
 // The first writes, for each shape: cases_SHAPE.bin, k_case_count * k_case_numbers floats; expected_SHAPE.bin,
 // k_case_count * k_case_outputs doubles; uncertain_SHAPE.bin, as many floats (ExpectedLight); and
@@ -10,7 +10,7 @@
 // prints. Once for all: polygons.bin, four floats an element.
 //
 // The second prints a line of JSON: figures of lights at random on rough surfaces (roughness 0.2 and more) and on
-// smooth ones, and of adversarial ones.
+// smooth ones, and of adversarial ones. FORMS: only of those forms, the first of them.
 
 #include "openltc/base/processor.h"
 #include "tests/parity/case_set.h"
@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -131,7 +132,7 @@ void add(Figures& f, int index, double got, double expected, double uncertain) {
   }
 }
 
-int compare(const std::string& folder, CaseShape shape, const std::string& target) {
+int compare(const std::string& folder, CaseShape shape, const std::string& target, int forms) {
   const CaseSet cases = make_cases(shape);
   const std::vector<double> expected = read<double>(path_of(folder, "expected", shape), k_case_outputs);
   const std::vector<float> uncertain = read<float>(path_of(folder, "uncertain", shape), k_case_outputs);
@@ -139,7 +140,9 @@ int compare(const std::string& folder, CaseShape shape, const std::string& targe
   const char* names[] = {"rough", "smooth", "adversarial"};
   Figures groups[3];
   for (int i = 0; i < k_case_count; ++i) {
-    const float roughness = cases.numbers[std::size_t(i) * k_case_numbers + 3];
+    const float* numbers = cases.numbers.data() + std::size_t(i) * k_case_numbers;
+    if (int(numbers[15]) >= forms) continue;
+    const float roughness = numbers[3];
     const int group = i / k_case_block % 2 == 1 ? 2 : roughness >= 0.2f ? 0 : 1;
     for (int k = 0; k < k_case_outputs; ++k) {
       const std::size_t at = std::size_t(i) * k_case_outputs + std::size_t(k);
@@ -164,8 +167,8 @@ int compare(const std::string& folder, CaseShape shape, const std::string& targe
 
 int main(int argc, char** argv) {
   if (argc == 3 && std::strcmp(argv[1], "write") == 0) return write_cases(argv[2]);
-  if (argc == 5 && std::strcmp(argv[1], "compare") == 0)
-    return compare(argv[2], shape_of(argv[3]), argv[4]);
-  std::fprintf(stderr, "usage: parity_cases write FOLDER | compare FOLDER SHAPE TARGET\n");
+  if ((argc == 5 || argc == 6) && std::strcmp(argv[1], "compare") == 0)
+    return compare(argv[2], shape_of(argv[3]), argv[4], argc == 6 ? std::atoi(argv[5]) : k_case_forms);
+  std::fprintf(stderr, "usage: parity_cases write FOLDER | compare FOLDER SHAPE TARGET [FORMS]\n");
   return 2;
 }

@@ -24,6 +24,7 @@ const char* name_of(CaseShape shape);
 /// its specular part is corrected in its mean direction (correct_at_mean); in form 2 a normal map has
 /// turned the normal, and the triangle hides what is behind it (set_geometric_normal).
 constexpr int k_case_numbers = 28;
+constexpr int k_case_forms = 3;
 
 /// What is computed of a case: its diffuse and its specular light. A result is a vector of four.
 constexpr int k_case_outputs = 2;
