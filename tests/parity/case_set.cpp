@@ -35,8 +35,8 @@ struct Parallelogram {
   Vec3f center, half_u, half_v;
 };
 
-// A rectangle whose corners are exact in single precision, so that it does not matter who adds them up:
-// along each axis, all is rounded to a 2^-20 of the largest.
+// A rectangle whose corners are exact in single precision, so that it does not matter who adds them
+// up: along each axis, all is rounded to a 2^-20 of the largest.
 Parallelogram exact_quad(const PolygonView& view) {
   Vec3d corners[4];
   for (int i = 0; i < 4; ++i)
@@ -62,9 +62,9 @@ std::unique_ptr<const PackedPolygon> packed(const Parallelogram& quad, bool two_
   const Vec3d n = cross(to_double(u), to_double(v));
   const double length2 = dot(n, n);
   if (!(length2 > 0)) return std::make_unique<const PackedPolygon>();
-  return std::make_unique<const PackedPolygon>(pack_polygon({c - u - v, c + u - v, c + u + v, c - u + v},
-                                                            {4}, to_float(n / std::sqrt(length2)),
-                                                            two_sided));
+  return std::make_unique<const PackedPolygon>(
+      pack_polygon({c - u - v, c + u - v, c + u + v, c - u + v}, {4},
+                   to_float(n / std::sqrt(length2)), two_sided));
 }
 
 // A polygon's elements; see openltc/shaders/dialect/polygon_data.glsl.
@@ -91,7 +91,9 @@ Vec3f triangle_normal(const LightCase& light, Random& random) {
 void add_case(CaseSet& set, const LightCase& light, const Parallelogram& quad, float extra,
               int form, Random& random) {
   const bool flat = set.shape == CaseShape::quad;
-  const auto add = [&](Vec3f v, float w) { set.numbers.insert(set.numbers.end(), {v.x, v.y, v.z, w}); };
+  const auto add = [&](Vec3f v, float w) {
+    set.numbers.insert(set.numbers.end(), {v.x, v.y, v.z, w});
+  };
   add(light.position, light.roughness);
   add(light.normal, light.albedo);
   add(light.wo, light.f0);
@@ -104,7 +106,8 @@ void add_case(CaseSet& set, const LightCase& light, const Parallelogram& quad, f
 } // namespace
 
 CaseBlock CaseSet::block(int index) const {
-  return {shape, numbers.data() + std::ptrdiff_t(index) * k_case_block * k_case_numbers,
+  return {shape,
+          numbers.data() + std::ptrdiff_t(index) * k_case_block * k_case_numbers,
           polygons.empty() ? PolygonView{} : polygons[std::size_t(index)],
           {k_ggx_polynomial, k_ggx_polynomial_degree}};
 }
@@ -115,7 +118,8 @@ CaseSet make_cases(CaseShape shape) {
   Random random(std::uint64_t(shape) + 11);
   for (int block = 0; block < k_case_count / k_case_block; ++block) {
     const LightShape light_shape = light_shape_of(shape, block);
-    const int form = block / 12 % k_case_forms; // six pairs of blocks: every kind of disk and tube in every form
+    const int form =
+        block / 12 % k_case_forms; // six pairs of blocks: every kind of disk and tube in every form
     const std::vector<LightCase> lights = fuzz_lights(light_shape, std::uint64_t(block));
     Parallelogram quad;
     float extra = 0;

@@ -17,9 +17,9 @@ namespace openltc::testing {
 /// The cases of a shape.
 struct CaseSet {
   CaseShape shape = CaseShape::quad;
-  std::vector<float> numbers;                               ///< k_case_count * k_case_numbers
-  std::vector<PolygonView> polygons;                        ///< one a block; empty but of flat shapes
-  std::vector<float> elements;                              ///< of polygons, as shader files read them
+  std::vector<float> numbers;        ///< k_case_count * k_case_numbers
+  std::vector<PolygonView> polygons; ///< one a block; empty but of flat shapes
+  std::vector<float> elements;       ///< of polygons, as shader files read them
   std::vector<std::shared_ptr<const TestPolygon>> outlines; ///< which the views of polygons show
   std::vector<std::unique_ptr<const PackedPolygon>> quads;  ///< and those of quads
 

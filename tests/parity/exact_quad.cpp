@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Quads in double. The polygons of C++ keep normal, area and spread in single precision, which for a huge quad
-// is an error of its own; so here the dialect has a polygon of doubles.
+// Quads in double. The polygons of C++ keep normal, area and spread in single precision, which for
+// a huge quad is an error of its own; so here the dialect has a polygon of doubles.
 
 #include "openltc/api/ggx_polynomial.inc"
 #include "openltc/target/resources.h"

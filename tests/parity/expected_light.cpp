@@ -26,8 +26,8 @@ constexpr double k_input_error = 8 * 0x1p-24; // as in tests/shade/parity
 constexpr int k_disturbances = 6;
 
 // Every number off by k_input_error, up or down: of itself, or of 1 for coordinates of points and
-// directions, which are differences of others as soon as they are used. Vectors that span a light are
-// off by as much of their own length. Counts and choices stay.
+// directions, which are differences of others as soon as they are used. Vectors that span a light
+// are off by as much of their own length. Counts and choices stay.
 void disturb(CaseShape shape, const double* in, Random& random, double* out) {
   const auto off = [&](double size) {
     return (random.integer(2) == 0 ? -1 : 1) * k_input_error * size;

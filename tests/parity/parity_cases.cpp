@@ -1,16 +1,19 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-//   parity_cases write FOLDER                          the cases of every shape, and what C++ makes of them
-//   parity_cases compare FOLDER SHAPE TARGET [FORMS]   how far FOLDER/TARGET_SHAPE.bin is from double
+//   parity_cases write FOLDER                          the cases of every shape, and what C++ makes
+//   of them parity_cases compare FOLDER SHAPE TARGET [FORMS]   how far FOLDER/TARGET_SHAPE.bin is
+//   from double
 //
-// The first writes, for each shape: cases_SHAPE.bin, k_case_count * k_case_numbers floats; expected_SHAPE.bin,
-// k_case_count * k_case_outputs doubles; uncertain_SHAPE.bin, as many floats (ExpectedLight); and
-// TARGET_SHAPE.bin, k_case_count * k_case_result floats, for the targets scalar, sse4, avx2 ... that this CPU has, whose names it
-// prints. Once for all: polygons.bin, four floats an element.
+// The first writes, for each shape: cases_SHAPE.bin, k_case_count * k_case_numbers floats;
+// expected_SHAPE.bin, k_case_count * k_case_outputs doubles; uncertain_SHAPE.bin, as many floats
+// (ExpectedLight); and TARGET_SHAPE.bin, k_case_count * k_case_result floats, for the targets
+// scalar, sse4, avx2 ... that this CPU has, whose names it prints. Once for all: polygons.bin, four
+// floats an element.
 //
-// The second prints a line of JSON: figures of lights at random on rough surfaces (roughness 0.2 and more) and on
-// smooth ones, and of adversarial ones. FORMS: only of those forms, the first of them.
+// The second prints a line of JSON: figures of lights at random on rough surfaces (roughness 0.2
+// and more) and on smooth ones, and of adversarial ones. FORMS: only of those forms, the first of
+// them.
 
 #include "openltc/base/processor.h"
 #include "tests/parity/case_set.h"
@@ -63,7 +66,8 @@ std::string path_of(const std::string& folder, const std::string& what, CaseShap
 
 template <class T> void write(const std::string& path, const std::vector<T>& values) {
   std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(values.data()), std::streamsize(values.size() * sizeof(T)));
+  file.write(reinterpret_cast<const char*>(values.data()),
+             std::streamsize(values.size() * sizeof(T)));
   if (!file) stop("cannot write " + path);
 }
 
@@ -93,7 +97,8 @@ int write_cases(const std::string& folder) {
     for (const Target& target : targets()) {
       std::vector<float> light(std::size_t(k_case_count) * k_case_result);
       for (int i = 0; i < k_case_count / k_case_block; ++i)
-        target.evaluate(cases.block(i), light.data() + std::size_t(i) * k_case_block * k_case_result);
+        target.evaluate(cases.block(i),
+                        light.data() + std::size_t(i) * k_case_block * k_case_result);
       write(path_of(folder, target.name, cases.shape), light);
     }
   }
@@ -134,8 +139,10 @@ void add(Figures& f, int index, double got, double expected, double uncertain) {
 
 int compare(const std::string& folder, CaseShape shape, const std::string& target, int forms) {
   const CaseSet cases = make_cases(shape);
-  const std::vector<double> expected = read<double>(path_of(folder, "expected", shape), k_case_outputs);
-  const std::vector<float> uncertain = read<float>(path_of(folder, "uncertain", shape), k_case_outputs);
+  const std::vector<double> expected =
+      read<double>(path_of(folder, "expected", shape), k_case_outputs);
+  const std::vector<float> uncertain =
+      read<float>(path_of(folder, "uncertain", shape), k_case_outputs);
   const std::vector<float> got = read<float>(path_of(folder, target, shape), k_case_result);
   const char* names[] = {"rough", "smooth", "adversarial"};
   Figures groups[3];
@@ -146,7 +153,8 @@ int compare(const std::string& folder, CaseShape shape, const std::string& targe
     const int group = i / k_case_block % 2 == 1 ? 2 : roughness >= 0.2f ? 0 : 1;
     for (int k = 0; k < k_case_outputs; ++k) {
       const std::size_t at = std::size_t(i) * k_case_outputs + std::size_t(k);
-      add(groups[group], i, double(got[std::size_t(i) * k_case_result + std::size_t(k)]), expected[at], double(uncertain[at]));
+      add(groups[group], i, double(got[std::size_t(i) * k_case_result + std::size_t(k)]),
+          expected[at], double(uncertain[at]));
     }
   }
   std::printf("{");
@@ -154,7 +162,8 @@ int compare(const std::string& folder, CaseShape shape, const std::string& targe
     Figures& f = groups[g];
     const auto rank = f.all.begin() + std::ptrdiff_t(0.99 * double(f.all.size() - 1));
     std::nth_element(f.all.begin(), rank, f.all.end());
-    std::printf("%s\"%s\": {\"count\": %d, \"mean\": %.3g, \"p99\": %.3g, \"largest\": %.3g, \"worst\": %d, "
+    std::printf("%s\"%s\": {\"count\": %d, \"mean\": %.3g, \"p99\": %.3g, \"largest\": %.3g, "
+                "\"worst\": %d, "
                 "\"beyond\": %d, \"excess\": %.3g, \"worst_excess\": %d, \"wrong\": %d}",
                 g > 0 ? ", " : "", names[g], int(f.all.size()), f.sum / double(f.all.size()), *rank,
                 f.largest, f.worst, f.beyond, f.excess, f.worst_excess, f.wrong);
@@ -168,7 +177,8 @@ int compare(const std::string& folder, CaseShape shape, const std::string& targe
 int main(int argc, char** argv) {
   if (argc == 3 && std::strcmp(argv[1], "write") == 0) return write_cases(argv[2]);
   if ((argc == 5 || argc == 6) && std::strcmp(argv[1], "compare") == 0)
-    return compare(argv[2], shape_of(argv[3]), argv[4], argc == 6 ? std::atoi(argv[5]) : k_case_forms);
+    return compare(argv[2], shape_of(argv[3]), argv[4],
+                   argc == 6 ? std::atoi(argv[5]) : k_case_forms);
   std::fprintf(stderr, "usage: parity_cases write FOLDER | compare FOLDER SHAPE TARGET [FORMS]\n");
   return 2;
 }

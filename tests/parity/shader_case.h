@@ -20,9 +20,10 @@ const char* name_of(CaseShape shape);
 ///   0  position, roughness          1  normal, albedo        2  direction to the eye, f0
 ///   3  normal of the triangle, form  4  a, radius           5  b, extra    6  c, 0
 /// a, b, c as in LightBatch, or centre and half sides of a quad; extra: whether quads and disks are
-/// two-sided, the caps of a tube, the first element of a polygon. Form 0 is by the lobe alone; in form 1
-/// its specular part is corrected in its mean direction (correct_at_mean); in form 2 a normal map has
-/// turned the normal, and the triangle hides what is behind it (set_geometric_normal).
+/// two-sided, the caps of a tube, the first element of a polygon. Form 0 is by the lobe alone; in
+/// form 1 its specular part is corrected in its mean direction (correct_at_mean); in form 2 a
+/// normal map has turned the normal, and the triangle hides what is behind it
+/// (set_geometric_normal).
 constexpr int k_case_numbers = 28;
 constexpr int k_case_forms = 3;
 
@@ -36,8 +37,8 @@ constexpr int k_case_block = 16;
 /// Of each shape. Blocks 0, 2, 4 ... are lights at random, 1, 3, 5 ... adversarial ones.
 constexpr int k_case_count = 10240;
 
-/// A block of cases in plain arrays: nothing inline may be shared between files that are compiled for
-/// different instruction sets.
+/// A block of cases in plain arrays: nothing inline may be shared between files that are compiled
+/// for different instruction sets.
 struct CaseBlock {
   CaseShape shape;
   const float* numbers; ///< k_case_block * k_case_numbers

@@ -3,14 +3,13 @@
 //
 //   vkrun [--device NAME] POLYGONS.bin {SHADER.spv CASES.bin RESULTS.bin}...
 //
-// Runs compute shaders over cases by Vulkan and writes what each gives. A shader has storage buffers of set 0:
-// 0 the cases, 112 bytes each; 1 the polygons; 2 the results, 16 bytes a case; it is dispatched in groups of 64 of
-// them. Of several devices it takes the first whose name contains NAME. It prints the name of the device, then a
-// line for each shader: milliseconds to make the pipeline, nanoseconds a case, the best of three runs.
+// Runs compute shaders over cases by Vulkan and writes what each gives. A shader has storage
+// buffers of set 0: 0 the cases, 112 bytes each; 1 the polygons; 2 the results, 16 bytes a case; it
+// is dispatched in groups of 64 of them. Of several devices it takes the first whose name contains
+// NAME. It prints the name of the device, then a line for each shader: milliseconds to make the
+// pipeline, nanoseconds a case, the best of three runs.
 //
 // Exit code 77: there is no such device.
-
-#include <vulkan/vulkan.h>
 
 #include <algorithm>
 #include <chrono>
@@ -21,6 +20,7 @@
 #include <iterator>
 #include <string>
 #include <vector>
+#include <vulkan/vulkan.h>
 
 namespace {
 
@@ -53,7 +53,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// A device, one queue of it, and what is needed of both. The process ends with it, so nothing is freed.
+/// A device, one queue of it, and what is needed of both. The process ends with it, so nothing is
+/// freed.
 struct Device {
   VkPhysicalDevice physical = nullptr;
   VkDevice device = nullptr;
@@ -169,7 +170,8 @@ VkDescriptorSetLayout make_set_layout(const Device& d) {
   info.bindingCount = 3;
   info.pBindings = bindings;
   VkDescriptorSetLayout layout = nullptr;
-  check(vkCreateDescriptorSetLayout(d.device, &info, nullptr, &layout), "vkCreateDescriptorSetLayout");
+  check(vkCreateDescriptorSetLayout(d.device, &info, nullptr, &layout),
+        "vkCreateDescriptorSetLayout");
   return layout;
 }
 
@@ -196,14 +198,16 @@ VkPipeline make_pipeline(const Device& d, VkPipelineLayout layout, const std::ve
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
   info.stage.pName = "main";
   info.layout = layout;
-  check(vkCreateShaderModule(d.device, &source, nullptr, &info.stage.module), "vkCreateShaderModule");
+  check(vkCreateShaderModule(d.device, &source, nullptr, &info.stage.module),
+        "vkCreateShaderModule");
   VkPipeline pipeline = nullptr;
   check(vkCreateComputePipelines(d.device, nullptr, 1, &info, nullptr, &pipeline),
         "vkCreateComputePipelines");
   return pipeline;
 }
 
-VkDescriptorSet make_set(const Device& d, VkDescriptorSetLayout layout, const Buffer (&buffers)[3]) {
+VkDescriptorSet make_set(const Device& d, VkDescriptorSetLayout layout,
+                         const Buffer (&buffers)[3]) {
   const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 3};
   VkDescriptorPoolCreateInfo pool{};
   pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
@@ -214,7 +218,8 @@ VkDescriptorSet make_set(const Device& d, VkDescriptorSetLayout layout, const Bu
   allocate.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
   allocate.descriptorSetCount = 1;
   allocate.pSetLayouts = &layout;
-  check(vkCreateDescriptorPool(d.device, &pool, nullptr, &allocate.descriptorPool), "vkCreateDescriptorPool");
+  check(vkCreateDescriptorPool(d.device, &pool, nullptr, &allocate.descriptorPool),
+        "vkCreateDescriptorPool");
   VkDescriptorSet set = nullptr;
   check(vkAllocateDescriptorSets(d.device, &allocate, &set), "vkAllocateDescriptorSets");
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -250,8 +255,8 @@ double dispatch(const Device& d, VkPipeline pipeline, VkPipelineLayout layout, V
   written.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
   written.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
   written.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
-                       &written, 0, nullptr, 0, nullptr);
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT,
+                       0, 1, &written, 0, nullptr, 0, nullptr);
   check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
   VkSubmitInfo submit{};
   submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
@@ -266,7 +271,8 @@ double dispatch(const Device& d, VkPipeline pipeline, VkPipelineLayout layout, V
 void run(const Device& d, const Buffer& polygons, char** files) {
   const std::vector<char> cases = read(files[1]);
   const std::size_t count = cases.size() / k_case_bytes;
-  const Buffer buffers[3] = {make_buffer(d, cases), polygons, make_buffer(d, count * k_result_bytes)};
+  const Buffer buffers[3] = {make_buffer(d, cases), polygons,
+                             make_buffer(d, count * k_result_bytes)};
   const VkDescriptorSetLayout set_layout = make_set_layout(d);
   const VkPipelineLayout layout = make_layout(d, set_layout);
   const double start = now();
@@ -295,8 +301,9 @@ int main(int argc, char** argv) {
     first = 3;
   }
   if (argc - first < 4 || (argc - first - 1) % 3 != 0) {
-    std::fprintf(stderr,
-                 "usage: vkrun [--device NAME] POLYGONS.bin {SHADER.spv CASES.bin RESULTS.bin}...\n");
+    std::fprintf(
+        stderr,
+        "usage: vkrun [--device NAME] POLYGONS.bin {SHADER.spv CASES.bin RESULTS.bin}...\n");
     return 2;
   }
   const Device d = open_device(wanted);

@@ -379,7 +379,8 @@ std::vector<LightCase> fuzz_lights(LightShape shape, std::uint64_t seed) {
     if (i > 0 && is_polygon(shape))
       lights.push_back(elsewhere(lights[0], adversarial, random));
     else
-      lights.push_back(adversarial ? adversarial_light(shape, random) : random_light(shape, random));
+      lights.push_back(adversarial ? adversarial_light(shape, random)
+                                   : random_light(shape, random));
   }
   return lights;
 }
