@@ -197,7 +197,7 @@ constexpr const char* k_fit_footer =
     "Layouts: native, for this project's shading (low roughness and small tables stay good);\n"
     "ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP); godot; o3de.\n"
     "A form without a table: polynomials, whose lobes are proven never to turn inside out.\n"
-    "Two lobes at every node, fitted together, halve the error; only this project reads them.\n"
+    "Two lobes, fitted together, halve the error; only this project reads tables of them.\n"
     "\n"
     "Examples:\n"
     "  openltc fit                                        GGX, errors only, all of them\n"
@@ -206,6 +206,7 @@ constexpr const char* k_fit_footer =
     "  openltc fit --layout ltc_code -o ggx.dds           writes ggx_1.dds and ggx_2.dds\n"
     "  openltc fit --form polynomial -o lobes.glsl        a function to paste\n"
     "  openltc fit --form two-lobe -o two.ktx2            writes two_1, two_2 and two_3\n"
+    "  openltc fit --form two-lobe-polynomial -o two.glsl a function that gives both lobes\n"
     "  openltc fit --report ggx.html --against ltc_1.dds  a page of figures and heat maps\n"
     "  openltc fit --brdf gold-paint.binary -o gold.json  a measured material";
 
@@ -233,12 +234,13 @@ FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
           },
           ""))
       ->capture_default_str();
-  const Choices<table::LobeForm> forms = {{"table", table::LobeForm::table},
-                                          {"polynomial", table::LobeForm::polynomial},
-                                          {"two-lobe", table::LobeForm::two_lobe}};
+  const Choices<table::LobeForm> forms = {
+      {"table", table::LobeForm::table},
+      {"polynomial", table::LobeForm::polynomial},
+      {"two-lobe", table::LobeForm::two_lobe},
+      {"two-lobe-polynomial", table::LobeForm::two_lobe_polynomial}};
   add_choice(command, "--form", c.form,
-             "Table, polynomials instead of one, or a table of two lobes at every node, half the "
-             "error [table]",
+             "Table, or polynomials instead of one; both also of two lobes, half the error [table]",
              forms);
   auto* degree =
       command.add_option("--degree", c.degree, "Total degree of the polynomials, 3 to 6")
@@ -290,13 +292,16 @@ void add_file_options(CLI::App& command, FitArguments& arguments) {
 
 /// What would be passed over in silence is wrong usage.
 Status check_form(const fit::FitRequest& request, const FormOptions& options) {
-  const bool polynomial = request.form == table::LobeForm::polynomial;
+  const bool polynomial = is_polynomial(request.form);
   const bool two = request.form == table::LobeForm::two_lobe;
   const auto refusal = [&](const CLI::Option* option, const char* form, const char* not_form) {
     return Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)};
   };
   for (const CLI::Option* option : options.of_tables)
-    if (polynomial && option->count() > 0) return refusal(option, "tables", "--form polynomial");
+    if (polynomial && option->count() > 0)
+      return refusal(option, "tables",
+                     request.form == table::LobeForm::polynomial ? "--form polynomial"
+                                                                 : "--form two-lobe-polynomial");
   for (const CLI::Option* option : options.of_one_lobe)
     if (two && option->count() > 0)
       return refusal(option, "tables of one lobe",

@@ -20,8 +20,10 @@ std::string shell_word(const std::string& path) {
 std::string fit_command_of(const std::string& brdf, const fit::FitRequest& c) {
   const fit::FitRequest standard;
   std::string command = fmt::format("openltc fit --brdf {}", shell_word(brdf));
-  if (c.form == table::LobeForm::polynomial)
-    command += fmt::format(" --form polynomial --degree {}", c.degree);
+  if (is_polynomial(c.form))
+    command += fmt::format(
+        " --form {} --degree {}",
+        c.form == table::LobeForm::polynomial ? "polynomial" : "two-lobe-polynomial", c.degree);
   else
     command += fmt::format("{} --size {}",
                            c.form == table::LobeForm::two_lobe ? " --form two-lobe" : "", c.size);

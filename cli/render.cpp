@@ -127,31 +127,40 @@ Status check_lobe_options(const RenderJob& job) {
 }
 
 const char* name_of(table::LobeForm form) {
-  return form == table::LobeForm::polynomial ? "polynomial"
-         : form == table::LobeForm::two_lobe ? "table of two lobes"
-                                             : "table";
+  return form == table::LobeForm::polynomial            ? "polynomial"
+         : form == table::LobeForm::two_lobe            ? "table of two lobes"
+         : form == table::LobeForm::two_lobe_polynomial ? "polynomial of two lobes"
+                                                        : "table";
 }
 
 table::LobeForm form_of(const table::ShadingLobes& lobes) {
-  if (std::holds_alternative<table::LobePolynomial>(lobes)) return table::LobeForm::polynomial;
+  if (const auto* polynomial = std::get_if<table::LobePolynomial>(&lobes))
+    return polynomial->two_lobes() ? table::LobeForm::two_lobe_polynomial
+                                   : table::LobeForm::polynomial;
   return std::get<table::LobeTable>(lobes).two_lobes() ? table::LobeForm::two_lobe
                                                        : table::LobeForm::table;
 }
 
-/// The lobes to shade with; those of a file are kept in `own`.
-Result<render::LobeSource> choose_lobes(const RenderArguments& arguments, table::ShadingLobes& own,
-                                        std::vector<std::string>& notes) {
+/// The lobes to shade with; those of a file are kept in `own`. The materials of the reference are
+/// defined with the table of one lobe.
+Result<render::LobeSource> choose_lobes(const RenderJob& job, scene::Scene& scene,
+                                        table::ShadingLobes& own) {
+  const RenderArguments& arguments = job.arguments;
+  if (job.reference) return render::LobeSource(table::builtin_ggx_table());
   if (arguments.table.empty()) {
-    switch (arguments.lobes.value_or(table::LobeForm::table)) {
+    if (!arguments.lobes) return render::builtin_lobes_for(scene.lights);
+    switch (*arguments.lobes) {
     case table::LobeForm::polynomial:
       return render::LobeSource(table::builtin_ggx_polynomial());
+    case table::LobeForm::two_lobe_polynomial:
+      return render::LobeSource(table::builtin_ggx_two_lobe_polynomial());
     case table::LobeForm::two_lobe:
       return render::LobeSource(table::builtin_ggx_two_lobe_table());
     case table::LobeForm::table:
       return render::LobeSource(table::builtin_ggx_table());
     }
   }
-  Result<table::ShadingLobes> read = table::read_shading_lobes(arguments.table, notes);
+  Result<table::ShadingLobes> read = table::read_shading_lobes(arguments.table, scene.warnings);
   if (!read) return read.error();
   own = std::move(*read);
   const table::LobeForm form = form_of(own);
@@ -318,8 +327,7 @@ int run_render(const RenderArguments& arguments) {
   Result<PreparedScene> prepared = prepare_scene(*job);
   if (!prepared) return fail("render", prepared.error());
   table::ShadingLobes own_lobes;
-  const Result<render::LobeSource> lobes =
-      choose_lobes(arguments, own_lobes, prepared->scene.warnings);
+  const Result<render::LobeSource> lobes = choose_lobes(*job, prepared->scene, own_lobes);
   if (!lobes) return fail("render", lobes.error());
   if (Status status = check_not_read(job->files); !status) return fail("render", status.error());
   if (!arguments.quiet) say_what_is_rendered(*job, *prepared);

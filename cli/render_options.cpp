@@ -128,13 +128,16 @@ void add_display(CLI::App& command, RenderArguments& a) {
 }
 
 void add_lobes(CLI::App& command, RenderArguments& a) {
-  const Choices<table::LobeForm> forms_of_lobes = {{"table", table::LobeForm::table},
-                                                   {"polynomial", table::LobeForm::polynomial},
-                                                   {"two-lobe", table::LobeForm::two_lobe}};
+  const Choices<table::LobeForm> forms_of_lobes = {
+      {"table", table::LobeForm::table},
+      {"polynomial", table::LobeForm::polynomial},
+      {"two-lobe", table::LobeForm::two_lobe},
+      {"two-lobe-polynomial", table::LobeForm::two_lobe_polynomial}};
   add_choice(
       command, "--lobes", a.lobes,
-      "Lobes of the LTC integrator from a table, a polynomial or a table of two lobes at every "
-      "node, half the error for half as much time again [what --table holds; table]",
+      "Lobes of the LTC integrator from a table or a polynomial, of one lobe or of two, half the "
+      "error for half as much time again [what --table holds; two-lobe, from 64 area lights on "
+      "table]",
       forms_of_lobes);
   command
       .add_option(

@@ -136,6 +136,11 @@ def main():
             name = f"two lobes, {objective}, {size}²"
             built_in = objective == "balanced" and size == 16
             rows.append([f"**{name}**" if built_in else name, *figures(data, 0)])
+    for objective, degrees in (("balanced", (3, 4, 5, 6)), ("tv", (4,))):
+        for degree in degrees:
+            data = report(openltc, "--form", "two-lobe-polynomial", "--objective", objective,
+                          "--degree", str(degree))
+            rows.append([f"two lobes, {objective}, degree {degree}", *figures(data, 0)])
     blocks = {"figures": markdown(HEAD, rows)}
 
     curve = []

@@ -22,8 +22,10 @@ Result<Description> inspect_polynomial(const std::string& path) {
   const bool proper = certificate.lower_bound > 0;
   Description out;
   out.text =
-      fmt::format("lobe polynomial of degree {}, {} terms of A B C D n1 (n5/n1)^(1/5), width {}\n",
-                  read->degree, terms, width);
+      fmt::format("lobe polynomial{} of degree {}, {} terms of A B C D n1 (n5/n1)^(1/5){}, width "
+                  "{}\n",
+                  read->two_lobes() ? " of two lobes" : "", read->degree, terms,
+                  read->two_lobes() ? " t A2 B2 C2 D2" : "", width);
   out.text += fmt::format("brdf       {} ({})\n", quote(m.brdf), quote(m.variant));
   out.text += fmt::format("objective  {}\n", quote(m.objective));
   out.text +=
@@ -38,6 +40,7 @@ Result<Description> inspect_polynomial(const std::string& path) {
               {"kind", "polynomial"},
               {"degree", read->degree},
               {"terms", terms},
+              {"lobes", read->two_lobes() ? 2 : 1},
               {"width", width},
               {"brdf", m.brdf},
               {"variant", m.variant},

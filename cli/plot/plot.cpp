@@ -81,7 +81,8 @@ Result<brdf::Brdf> brdf_of_option(const std::string& name_or_path) {
 
 void add_plot(CLI::App& app, int& exit_code) {
   CLI::App* plot = app.add_subcommand(
-      "plot", "Draw figures: lobes, fits, polygons, errors, point lights, luminaires");
+      "plot",
+      "Draw figures: lobes, fits, polygons, errors, point lights, luminaires, error over time");
   plot->footer("Every figure is written as .svg or .png; openltc plot WHAT --help says what it "
                "shows.\n"
                "\n"
@@ -96,6 +97,7 @@ void add_plot(CLI::App& app, int& exit_code) {
   add_plot_fit(*plot, exit_code);
   add_plot_point(*plot, exit_code);
   add_plot_photometry(*plot, exit_code);
+  add_plot_trade(*plot, exit_code);
 }
 
 } // namespace openltc::cli

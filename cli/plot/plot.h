@@ -44,6 +44,7 @@ void add_plot_lobes(CLI::App& plot, int& exit_code);
 void add_plot_photometry(CLI::App& plot, int& exit_code);
 void add_plot_point(CLI::App& plot, int& exit_code);
 void add_plot_polygon(CLI::App& plot, int& exit_code);
+void add_plot_trade(CLI::App& plot, int& exit_code);
 
 /// "openltc plot WHAT: message" on stderr; the exit code for a job that failed.
 int fail_plot(const PlotOutput& output, const Error& error);

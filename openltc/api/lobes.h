@@ -12,6 +12,7 @@
 #pragma once
 
 #include "openltc/api/ggx_polynomial.inc"
+#include "openltc/api/ggx_two_lobe_polynomial.inc"
 #ifndef OPENLTC_NO_TABLE
 #include "openltc/api/ggx_table.inc"
 #include "openltc/api/ggx_two_lobes.inc"
@@ -32,7 +33,8 @@ struct Lobes {
   /// of n1 is 0 to 1.
   LobeTableView table;
   /// Used instead of the table where it has coefficients: (degree + 1)(degree + 2)/2 terms of 8
-  /// floats, A B C D n1 s 0 0 (openltc/shade/polynomial.glsl).
+  /// floats, A B C D n1 s t 0 (openltc/shade/polynomial.glsl). One of two lobes has in `second` 4
+  /// floats a term, A B C D of the second lobe, whose share of n1 is (1 + t / sqrt(1 + t^2)) / 2.
   LobePolynomialView polynomial;
 };
 
@@ -58,7 +60,16 @@ inline Lobes built_in_two_lobe_table() {
 /// (k_ggx_polynomial_metadata).
 inline Lobes built_in_polynomial() {
   Lobes lobes;
-  lobes.polynomial = {k_ggx_polynomial, k_ggx_polynomial_degree};
+  lobes.polynomial = {k_ggx_polynomial, k_ggx_polynomial_degree, nullptr};
+  return lobes;
+}
+
+/// Two lobes as polynomials of degree 4, GGX: half the error of one lobe without a table
+/// (k_ggx_two_lobe_polynomial_metadata).
+inline Lobes built_in_two_lobe_polynomial() {
+  Lobes lobes;
+  lobes.polynomial = {k_ggx_two_lobe_polynomial, k_ggx_two_lobe_polynomial_degree,
+                      k_ggx_two_lobe_polynomial_second};
   return lobes;
 }
 
@@ -70,7 +81,8 @@ inline bool has_lobes(const Lobes& lobes) {
 }
 
 inline bool has_second_lobe(const Lobes& lobes) {
-  return !lobes.polynomial.coefficients && f32::lobe_table_has_second(lobes.table);
+  return lobes.polynomial.coefficients ? f32::lobe_polynomial_has_second(lobes.polynomial)
+                                       : f32::lobe_table_has_second(lobes.table);
 }
 
 inline f32::FittedLobe find_lobe(const Lobes& lobes, float roughness, float cos_theta) {
@@ -78,6 +90,13 @@ inline f32::FittedLobe find_lobe(const Lobes& lobes, float roughness, float cos_
     return f32::eval_lobe_polynomial(lobes.polynomial, f32::alpha_from_roughness(roughness),
                                      cos_theta);
   return f32::fetch_lobe_of_roughness(lobes.table, roughness, cos_theta);
+}
+
+inline f32::SecondLobe find_second_lobe(const Lobes& lobes, float roughness, float cos_theta) {
+  if (lobes.polynomial.coefficients)
+    return f32::eval_second_lobe_polynomial(lobes.polynomial, f32::alpha_from_roughness(roughness),
+                                            cos_theta);
+  return f32::fetch_second_lobe_of_roughness(lobes.table, roughness, cos_theta);
 }
 
 } // namespace detail

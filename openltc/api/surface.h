@@ -58,8 +58,8 @@ inline Surface surface_of(Vec3f position, const OrientedPoint& oriented, const M
   surface.point = f32::make_surface(find_lobe(lobes, r.roughness, dot(up, wo)), position, up, wo,
                                     r.albedo, r.f0, Vec3f(r.f90), r.roughness);
   if (has_second_lobe(lobes))
-    surface.point = f32::add_second_lobe(
-        surface.point, f32::fetch_second_lobe_of_roughness(lobes.table, r.roughness, dot(up, wo)));
+    surface.point =
+        f32::add_second_lobe(surface.point, find_second_lobe(lobes, r.roughness, dot(up, wo)));
   return surface;
 }
 

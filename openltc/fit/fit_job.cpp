@@ -68,14 +68,16 @@ Result<FittedLobes> fit_polynomial_form(const brdf::Brdf& brdf, const FitRequest
                                         const Objective& objective, const Progress& progress) {
   PolynomialFitOptions options;
   options.degree = request.degree;
+  options.two_lobes = request.form == table::LobeForm::two_lobe_polynomial;
   options.objective = objective;
   Result<PolynomialFit> fitted = fit_polynomial(brdf, options, progress);
   if (!fitted) return fitted.error();
   FittedLobes result;
   result.stored = std::move(fitted->polynomial);
-  result.note = fmt::format("certified: A D - w B C >= {:.2e} over the whole domain ({} boxes); no "
-                            "lobe turns inside out",
-                            fitted->certificate.lower_bound, fitted->certificate.boxes);
+  result.note = fmt::format("certified: A D - w B C >= {:.2e}{} over the whole domain ({} boxes); "
+                            "no lobe turns inside out",
+                            fitted->certificate.lower_bound,
+                            options.two_lobes ? " of both lobes" : "", fitted->certificate.boxes);
   return result;
 }
 
@@ -132,7 +134,7 @@ LobeFunction FittedLobes::lobes() const {
 Status check_extensions(const FitRequest& request, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     Status status = Success{};
-    if (request.form == table::LobeForm::polynomial)
+    if (is_polynomial(request.form))
       status = table::check_polynomial_extension(path);
     else if (!is_builtin_source(path))
       status = table::check_packed_extension(path);
@@ -146,7 +148,7 @@ Result<std::vector<std::string>> check_outputs(const brdf::Brdf& brdf, const Fit
   std::vector<std::string> all;
   for (const std::string& path : paths) {
     std::vector<std::string> files = {path};
-    const bool polynomial = request.form == table::LobeForm::polynomial;
+    const bool polynomial = is_polynomial(request.form);
     if (!polynomial && is_builtin_source(path)) {
       if (request.layout != Layout::native || request.precision != table::Precision::float32)
         return Error{path + ": C++ source of the built-in is for --layout native --precision "
@@ -171,7 +173,7 @@ Result<FittedLobes> fit_lobes(const brdf::Brdf& brdf, const FitRequest& request,
   if (request.layout != Layout::native && !request.clip_aware) objective.horizon = Horizon::leaking;
 
   const auto begin = std::chrono::steady_clock::now();
-  Result<FittedLobes> result = request.form == table::LobeForm::polynomial
+  Result<FittedLobes> result = is_polynomial(request.form)
                                    ? fit_polynomial_form(brdf, request, objective, progress)
                                    : fit_table_form(brdf, request, objective, progress);
   if (!result) return result;
@@ -191,17 +193,17 @@ void state_error(FittedLobes& fitted, const TableError& error) {
 
 Candidate candidate_of(const FittedLobes& fitted, const FitRequest& request) {
   Candidate c;
-  c.label = request.form == table::LobeForm::polynomial
-                ? fmt::format("{}, degree {}", request.objective, request.degree)
-                : fmt::format("{}{}, {}", request.objective,
-                              request.form == table::LobeForm::two_lobe ? ", two lobes" : "",
-                              request.size);
+  const bool polynomial = is_polynomial(request.form);
+  const bool two = request.form == table::LobeForm::two_lobe ||
+                   request.form == table::LobeForm::two_lobe_polynomial;
+  c.label = fmt::format("{}{}, {}{}", request.objective, two ? ", two lobes" : "",
+                        polynomial ? "degree " : "", polynomial ? request.degree : request.size);
   c.lobes = fitted.lobes();
   c.horizon = fitted.horizon;
   const table::TableMetadata& m = fitted.metadata();
   for (const table::MetadataField& field : table::k_metadata_fields)
     if (field.text && !(m.*field.text).empty()) c.metadata.emplace_back(field.name, m.*field.text);
-  if (request.form != table::LobeForm::polynomial)
+  if (!polynomial)
     c.metadata.emplace_back("layout", fmt::format("{}, {}", name_of(stored_layout(request)),
                                                   name_of(request.precision)));
   if (!fitted.note.empty()) c.metadata.emplace_back("proof", fitted.note);

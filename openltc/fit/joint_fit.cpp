@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Gauss-Newton with Marquardt's damping; the normal equations are solved by conjugate gradients
-// (Hestenes, Stiefel 1952) and never formed:
+// Gauss-Newton with Marquardt's damping; the normal equations are solved by conjugate gradients and
+// never formed:
 //   with x_s = sum of f_si u_i the coefficients at sample s, g_s and H_s the objective's gradient
 //   and matrix there, and weight w_s,
 //   gradient_i = sum over s of w_s f_si g_s,   (H v)_i = sum over s of w_s f_si H_s sum_j f_sj v_j.
@@ -12,12 +12,14 @@
 #include "openltc/fit/joint_fit.h"
 
 #include "openltc/base/parallel.h"
+#include "openltc/fit/conjugate_gradients.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace openltc::fit {
 
@@ -97,13 +99,6 @@ double evaluate_all(const std::vector<JointSample>& samples, const Unknowns& unk
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-double dot(const Unknowns& a, const Unknowns& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i].dot(b[i]);
-  return sum;
-}
-
 // Solves (H + damping diag blocks) x = -gradient.
 Unknowns solve(const std::vector<JointSample>& samples, const Locals& locals, double damping,
                std::size_t count) {
@@ -124,13 +119,11 @@ Unknowns solve(const std::vector<JointSample>& samples, const Locals& locals, do
     inverse[i].compute(block[i]);
   }
 
-  Unknowns x(count, Vector4::Zero()), z(count), p(count), hp(count);
-  for (std::size_t i = 0; i < count; ++i)
-    p[i] = z[i] = inverse[i].solve(residual[i]);
-  double rz = dot(residual, z);
-  const double stop = 1e-8 * rz;
-  const int most = int(std::min<std::size_t>(4 * count, 300));
-  for (int k = 0; k < most && rz > stop; ++k) {
+  const auto precondition = [&](const Unknowns& r, Unknowns& z) {
+    for (std::size_t i = 0; i < count; ++i)
+      z[i] = inverse[i].solve(r[i]);
+  };
+  const auto multiply = [&](const Unknowns& p, Unknowns& hp) {
     for (std::size_t i = 0; i < count; ++i)
       hp[i] = diagonal[i].cwiseProduct(p[i]);
     for (std::size_t s = 0; s < samples.size(); ++s) {
@@ -138,20 +131,9 @@ Unknowns solve(const std::vector<JointSample>& samples, const Locals& locals, do
       for (const JointTerm& term : samples[s].terms)
         hp[std::size_t(term.unknown)] += term.factor * h;
     }
-    const double curvature = dot(p, hp);
-    if (!(curvature > 0)) break;
-    const double step = rz / curvature;
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] += step * p[i];
-      residual[i] -= step * hp[i];
-      z[i] = inverse[i].solve(residual[i]);
-    }
-    const double next = dot(residual, z);
-    for (std::size_t i = 0; i < count; ++i)
-      p[i] = z[i] + next / rz * p[i];
-    rz = next;
-  }
-  return x;
+  };
+  const int most = int(std::min<std::size_t>(4 * count, 300));
+  return conjugate_gradients(std::move(residual), 1e-8, most, precondition, multiply);
 }
 
 } // namespace

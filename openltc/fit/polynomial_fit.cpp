@@ -11,6 +11,7 @@
 #include "openltc/base/parallel.h"
 #include "openltc/fit/joint_fit.h"
 #include "openltc/fit/lobe_start.h"
+#include "openltc/fit/two_lobe_polynomial.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>
@@ -124,6 +125,54 @@ LobePolynomial pack(const brdf::Brdf& brdf, int degree, const std::vector<Vec4d>
   return p;
 }
 
+// Places on all of the domain where lobes must not turn inside out, closest at its edges, where
+// polynomials swing most: the extremes of a Chebyshev polynomial.
+std::vector<JointSample> fences(const brdf::Brdf& brdf, int degree) {
+  constexpr int k_per_axis = 48;
+  const auto place = [](int i) { return 0.5 - 0.5 * std::cos(f64::k_pi * i / (k_per_axis - 1)); };
+  std::vector<JointSample> result;
+  for (int column = 0; column < (brdf.has_parameter() ? k_per_axis : 1); ++column)
+    for (int row = 0; row < k_per_axis; ++row) {
+      const double roughness = brdf.has_parameter() ? 0.01 + 0.99 * place(column) : 1;
+      JointSample& fence = result.emplace_back();
+      fence.weight = 0;
+      fence.rule.width =
+          brdf.width == brdf::LobeWidth::alpha ? f64::alpha_from_roughness(roughness) : 1;
+      fence.terms = terms_at(degree, brdf.has_parameter(), roughness, place(row));
+    }
+  return result;
+}
+
+// Fits two lobes from the one of `mirror`; n1 and s stay.
+Status add_second_lobe(const brdf::Brdf& brdf, const PolynomialFitOptions& options,
+                       std::vector<JointSample> samples, const std::vector<Vec4d>& mirror,
+                       const Progress& progress, PolynomialFit& result) {
+  for (JointSample& fence : fences(brdf, options.degree))
+    samples.push_back(std::move(fence));
+  LobePolynomial& p = result.polynomial;
+  double barrier = k_barrier;
+  for (int attempt = 0; attempt < 3; ++attempt, barrier *= 10) {
+    const auto terms = fit_two_lobe_terms(samples, mirror, options.degree, options.objective,
+                                          barrier, attempt == 0 ? progress : Progress());
+    if (!terms) return cancelled();
+    p.second.clear();
+    for (std::size_t i = 0; i < terms->size(); ++i) {
+      const TwoLobeTerm& term = (*terms)[i];
+      for (std::size_t k = 0; k < 4; ++k) {
+        p.term(int(i))[k] = round_to_seven_digits(term[k]);
+        p.second.push_back(round_to_seven_digits(term[4 + k]));
+      }
+      p.term(int(i))[6] = round_to_seven_digits(term[8]);
+    }
+    result.certificate = certify_determinant(p);
+    if (result.certificate.lower_bound > 0) return Success{};
+  }
+  return Error{fmt::format("brdf {}: polynomials of degree {} of two lobes could not be certified, "
+                           "A D - w B C reaches {:.2e}; openltc fit --degree asks for another, and "
+                           "a table needs none",
+                           brdf.name, options.degree, result.certificate.smallest_seen)};
+}
+
 } // namespace
 
 Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFitOptions& options,
@@ -135,8 +184,7 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   const Result<QuadratureSize> quadrature =
       options.quadrature ? Result<QuadratureSize>(*options.quadrature) : choose_quadrature(brdf);
   if (!quadrature) return quadrature.error();
-  const Result<Samples> samples =
-      make_samples(brdf, options, *quadrature, part_of(progress, 0.0, 0.3));
+  Result<Samples> samples = make_samples(brdf, options, *quadrature, part_of(progress, 0.0, 0.3));
   if (!samples) return samples.error();
 
   const std::size_t count = std::size_t(table::polynomial_terms(options.degree));
@@ -163,9 +211,11 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
   const std::vector<double> s = interpolate_jointly(samples->joint, wanted_s, importance_s, zero);
 
   PolynomialFit result;
-  double share = 0.3; // most fits need one attempt; each takes half of what is left of the bar
+  // Most fits need one attempt; each takes half of what is left of the bar, or of its first part.
+  const double end = options.two_lobes ? 0.6 : 1.0;
+  double share = 0.3;
   for (int attempt = 0; attempt < 6; ++attempt) {
-    const double step = 0.25 * (1.0 - share);
+    const double step = 0.25 * (end - share);
     joint.progress = part_of(progress, share, share + step);
     const JointFit balanced = fit_jointly(samples->joint, mirror, joint);
     if (balanced.cancelled) return cancelled();
@@ -191,6 +241,11 @@ Result<PolynomialFit> fit_polynomial(const brdf::Brdf& brdf, const PolynomialFit
         fmt::format("brdf {}: polynomials of degree {} could not be certified, A D - w B C "
                     "reaches {:.2e}; openltc fit --degree asks for another, and a table needs none",
                     brdf.name, options.degree, result.certificate.smallest_seen)};
+  if (options.two_lobes)
+    if (Status status = add_second_lobe(brdf, options, std::move(samples->joint), mirror,
+                                        part_of(progress, 0.6, 1.0), result);
+        !status)
+      return status.error();
   if (progress && !progress(1.0)) return cancelled();
   result.polynomial.metadata.brdf = brdf.name;
   result.polynomial.metadata.variant = brdf.variant;
@@ -203,7 +258,11 @@ LobeFunction lobes_of(const LobePolynomial& polynomial) {
   return [&polynomial](double roughness, double cos_theta) {
     const double alpha = f64::alpha_from_roughness(roughness);
     const double width = polynomial.width == brdf::LobeWidth::alpha ? alpha : 1.0;
-    return f64::eval_lobe_polynomial_of_width(polynomial.view(), alpha, width, cos_theta);
+    const f64::FittedLobe first =
+        f64::eval_lobe_polynomial_of_width(polynomial.view(), alpha, width, cos_theta);
+    if (!polynomial.two_lobes()) return MeasuredLobe(first);
+    return MeasuredLobe(first, f64::eval_second_lobe_polynomial_of_width(polynomial.view(), alpha,
+                                                                         width, cos_theta));
   };
 }
 

@@ -7,12 +7,13 @@
 // grazing views. A prior on the second differences of the unknowns, lowered step by step, keeps
 // them together on the way; the weight's unknown is its logit, so that it stays within 0 and 1.
 //
-// Gauss-Newton with Marquardt's damping, the normal equations by conjugate gradients (Hestenes,
-// Stiefel 1952). A table of many nodes starts from one of few.
+// Gauss-Newton with Marquardt's damping, the normal equations by conjugate gradients. A table of
+// many nodes starts from one of few.
 
 #include "openltc/fit/two_lobe_fit.h"
 
 #include "openltc/base/parallel.h"
+#include "openltc/fit/conjugate_gradients.h"
 #include "openltc/fit/measure/certificate.h"
 #include "openltc/fit/table_samples.h"
 #include "openltc/fit/two_lobe_problem.h"
@@ -99,30 +100,12 @@ public:
       damped.diagonal().array() += 1e-12 * damped.trace() + 1e-300;
       inverse[i].compute(damped);
     });
-    Vectors x(count, Vector::Zero()), r = residual, z(count), p(count), hp(count);
-    in_pieces(count, [&](std::size_t i) { p[i] = z[i] = inverse[i].solve(r[i]); });
-    double rz = dot(r, z);
-    const double stop = accuracy * accuracy * rz;
-    const int most = 400;
-    for (iterations = 0; iterations < most && rz > stop; ++iterations) {
-      multiply(p, diagonal, hp);
-      const double curvature = dot(p, hp);
-      if (!(curvature > 0)) break;
-      const double step = rz / curvature;
-      in_pieces(count, [&](std::size_t i) {
-        x[i] += step * p[i];
-        r[i] -= step * hp[i];
-        z[i] = inverse[i].solve(r[i]);
-      });
-      const double next = dot(r, z);
-      for (std::size_t i = 0; i < count; ++i)
-        p[i] = z[i] + next / rz * p[i];
-      rz = next;
-    }
-    return x;
+    const auto precondition = [&](const Vectors& r, Vectors& z) {
+      in_pieces(count, [&](std::size_t i) { z[i] = inverse[i].solve(r[i]); });
+    };
+    return conjugate_gradients(residual, accuracy * accuracy, 400, precondition,
+                               [&](const Vectors& p, Vectors& hp) { multiply(p, diagonal, hp); });
   }
-
-  int iterations = 0;
 
 private:
   // hp = (H + diagonal) p. Samples first, then nodes: each writes its own.

@@ -3,7 +3,8 @@
 //
 // What the joint fit of two lobes minimises: the objective at all samples of a table, as the
 // look-up interpolates it, with penalties for lobes that turn inside out and a prior on second
-// differences. Private to two_lobe_fit.cpp.
+// differences; the objective at a sample serves polynomials too. Private to two_lobe_fit.cpp and
+// two_lobe_polynomial.cpp.
 
 #pragma once
 
@@ -110,8 +111,9 @@ inline void add_penalty(const JointSample& sample, const Vector& x, int first, d
   local.hessian.block<4, 4>(first, first) += 2 * slope * slope.transpose();
 }
 
-inline void evaluate_local(const Problem& problem, const JointSample& sample, const Vector& x,
-                           const Objective& objective, bool with_derivatives, Local& local) {
+// Of the penalties `least` is what determinants are kept above.
+inline void evaluate_local(const JointSample& sample, const Vector& x, const Objective& objective,
+                           double least, bool with_derivatives, Local& local) {
   TwoLobes lobes;
   for (std::size_t k = 0; k < k_unknowns; ++k)
     lobes[k] = x[Eigen::Index(k)];
@@ -124,8 +126,8 @@ inline void evaluate_local(const Problem& problem, const JointSample& sample, co
     for (int j = i; j < k_unknowns; ++j, ++entry)
       local.hessian(i, j) = local.hessian(j, i) = sample.weight * at.hessian[entry];
   }
-  add_penalty(sample, x, 0, problem.least, local);
-  add_penalty(sample, x, 4, problem.least, local);
+  add_penalty(sample, x, 0, least, local);
+  add_penalty(sample, x, 4, least, local);
 }
 
 // Calls body(before, at, after) for every three neighbours in a row or column.
@@ -157,7 +159,7 @@ inline double evaluate_all(const Problem& problem, const Vectors& unknowns,
   const Vectors nodes = stored(unknowns);
   in_pieces(problem.samples.size(), [&](std::size_t s) {
     const JointSample& sample = problem.samples[s];
-    evaluate_local(problem, sample, interpolate(sample, nodes), objective, with_derivatives,
+    evaluate_local(sample, interpolate(sample, nodes), objective, problem.least, with_derivatives,
                    locals[s]);
   });
   double sum = 0;
@@ -168,13 +170,6 @@ inline double evaluate_all(const Problem& problem, const Vectors& unknowns,
     sum += bend.cwiseProduct(prior).dot(bend);
   });
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
-}
-
-inline double dot(const Vectors& a, const Vectors& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i].dot(b[i]);
-  return sum;
 }
 
 } // namespace openltc::fit::two_lobe

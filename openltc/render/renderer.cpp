@@ -44,9 +44,6 @@ constexpr std::uint32_t k_purpose_pixel = 0;
 constexpr int k_min_lights_to_choose = 6;
 /// The BRDF of the materials, by its name in files of lobes, whose ratio to the lobe is known.
 constexpr const char* k_ratio_brdf = "ggx";
-/// From so many lights on they are shaded by the lobe alone, unless asked otherwise: their groups
-/// have a specular part then.
-constexpr std::size_t k_many_lights = 64;
 // From so many lights on the reference draws some for each sample instead of taking all.
 constexpr int k_min_lights_to_draw = 128;
 constexpr int k_drawn_lights = 96;
@@ -285,6 +282,11 @@ Status check(const RenderOptions& o) {
 }
 
 } // namespace
+
+LobeSource builtin_lobes_for(const light::Lights& lights) {
+  return lights.area_light_count() < k_many_lights ? table::builtin_ggx_two_lobe_table()
+                                                   : table::builtin_ggx_table();
+}
 
 Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
                        const LobeSource& lobes, const RenderOptions& options) {

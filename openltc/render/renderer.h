@@ -42,8 +42,8 @@ struct RenderOptions {
   /// every point.
   float light_error = 0.003f;
   PunctualForm punctual_form = PunctualForm::exact;
-  /// Of area lights, LTC; none: the ratio for lobes that were fitted to GGX and fewer than 64 area
-  /// lights, else the lobe alone.
+  /// Of area lights, LTC; none: the ratio for lobes that were fitted to GGX and fewer area lights
+  /// than k_many_lights, else the lobe alone.
   std::optional<SpecularForm> specular_form;
   Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
   std::uint32_t seed = 0;
@@ -63,6 +63,14 @@ struct LobeSource {
   LobePolynomialView polynomial; ///< without coefficients when there is a table
   std::string brdf;              ///< that they were fitted to; empty where nobody says
 };
+
+/// From so many area lights on, groups of them are shaded together, which only one lobe by itself
+/// lets them be as a whole: with a ratio or a second lobe 500 lights take half as long again.
+inline constexpr std::size_t k_many_lights = 64;
+
+/// The built-in lobes of the least error that take at most twice the time of the fastest (`openltc
+/// plot trade`): two at every node, from k_many_lights area lights on one.
+LobeSource builtin_lobes_for(const light::Lights& lights);
 
 struct Picture {
   image::Image radiance; ///< scene-linear, in the scene's units (nits)

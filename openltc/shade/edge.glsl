@@ -187,6 +187,32 @@ FN EdgeAbove edge_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
   return edge;
 }
 
+/// The sum of no edges.
+FN EdgeAbove no_edges() {
+  EdgeAbove sum;
+  sum.term = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  sum.turn_cos = Real(1.0);
+  sum.turn_sin = Real(0.0);
+  return sum;
+}
+
+/// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
+/// other.
+FN EdgeAbove join_edges(EdgeAbove a, EdgeAbove b) {
+  EdgeAbove sum;
+  sum.term = a.term + b.term;
+  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
+  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
+  return sum;
+}
+
+/// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
+/// about z leads backwards; it holds whatever rounding makes of an angle near 0.
+FN Vec3 close_outline(EdgeAbove sum, Real way) {
+  Real angle = abs(angle_of_unit(sum.turn_cos, sum.turn_sin));
+  return Vec3(sum.term.x, sum.term.y, sum.term.z + select(way < Real(0.0), -angle, angle));
+}
+
 /// The same with the turn added: the diffuse part of an edge.
 FN Vec3 edge_term_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
   Mask a_up = a.z >= Real(0.0);

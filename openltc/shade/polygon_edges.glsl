@@ -55,6 +55,11 @@ FN Vec3 specular_term(Corner a, Corner b, Real s) {
   return clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
 }
 
+/// And above the surface's horizon, clipped to the cosine's, not yet closed.
+FN EdgeAbove specular_edge(Corner a, Corner b, Real s) {
+  return edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
+}
+
 /// The same of an edge above both horizons.
 FN Vec3 whole_diffuse_term(Corner a, Corner b) {
   return edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
@@ -192,11 +197,8 @@ FN EdgeSums sum_clipped_quad(Corner a, Corner b, Corner c, Corner d, Real s, Rea
   }
   EdgeSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  sums.specular = sums.diffuse;
   sums.outline2 = Real(0.0);
-  Real turn_cos = Real(1.0);
-  Real turn_sin = Real(0.0);
-  bool turns = false;
+  EdgeAbove specular = no_edges();
   for (int k = 0; k < count; ++k) {
     int i = outline[k];
     int j = outline[k + 1 < count ? k + 1 : 0];
@@ -204,20 +206,24 @@ FN EdgeSums sum_clipped_quad(Corner a, Corner b, Corner c, Corner d, Real s, Rea
     Real lower = min(points[i].o.z, points[j].o.z);
     Real upper = max(points[i].o.z, points[j].o.z);
     if (all_lanes(lower >= Real(0.0))) {
-      sums.specular = sums.specular + whole_specular_term(points[i], points[j]);
+      specular.term = specular.term + whole_specular_term(points[i], points[j]);
     } else if (any_lane(upper >= Real(0.0))) {
-      EdgeAbove edge = edge_above(points[i].o, points[j].o, s, points[i].inv_o, points[j].inv_o);
-      sums.specular = sums.specular + edge.term;
-      Real cosine = turn_cos * edge.turn_cos - turn_sin * edge.turn_sin;
-      turn_sin = turn_cos * edge.turn_sin + turn_sin * edge.turn_cos;
-      turn_cos = cosine;
-      turns = true;
+      specular = join_edges(specular, specular_edge(points[i], points[j], s));
     }
   }
-  if (turns) {
-    Real angle = abs(angle_of_unit(turn_cos, turn_sin));
-    sums.specular.z = sums.specular.z + select(h * lobe.det < Real(0.0), -angle, angle);
-  }
+  sums.specular = close_outline(specular, h * lobe.det);
+  return sums;
+}
+
+/// The same with all corners above the surface's horizon in all lanes: nothing is cut but in cosine space.
+FN EdgeSums sum_quad_above(Corner a, Corner b, Corner c, Corner d, Real s, Real h, Lobe lobe) {
+  EdgeSums sums;
+  sums.outline2 = Real(0.0);
+  sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) + whole_diffuse_term(c, d) +
+                 whole_diffuse_term(d, a);
+  EdgeAbove first = join_edges(specular_edge(a, b, s), specular_edge(b, c, s));
+  EdgeAbove second = join_edges(specular_edge(c, d, s), specular_edge(d, a, s));
+  sums.specular = close_outline(join_edges(first, second), h * lobe.det);
   return sums;
 }
 
@@ -241,8 +247,10 @@ FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lob
     return sums;
   }
   Real s = apex_side(dot(frame.t2, polygon_normal(polygon)), h);
-  if (lanes_agree(a.p.z < Real(0.0)) && lanes_agree(b.p.z < Real(0.0)) &&
-      lanes_agree(c.p.z < Real(0.0)) && lanes_agree(d.p.z < Real(0.0))) {
+  if (all_lanes(min(min(a.p.z, b.p.z), min(c.p.z, d.p.z)) >= Real(0.0))) {
+    sums = sum_quad_above(a, b, c, d, s, h, lobe);
+  } else if (lanes_agree(a.p.z < Real(0.0)) && lanes_agree(b.p.z < Real(0.0)) &&
+             lanes_agree(c.p.z < Real(0.0)) && lanes_agree(d.p.z < Real(0.0))) {
     sums = sum_clipped_quad(a, b, c, d, s, h, lobe);
   } else {
     sums.diffuse = diffuse_term(a, b, s) + diffuse_term(b, c, s) + diffuse_term(c, d, s) +

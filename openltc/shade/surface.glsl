@@ -228,18 +228,15 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
 /// direction wi the BRDF is larger than the lobe by
 ///   r = rho / (n1 D),  rho = D V cos of GGX, D the lobe's density above the horizon.
 /// A light that fills the whole lobe has n1 whatever its shape, so 1 is right for that. Between the two,
-/// with w the light's concentration times what it leaves of the lobe,
-///   1 - w (1 - min(r, 1/r)),   or one over that where r > 1:
-/// as much up as down, smooth at r = 1, within r and 1 and within 1 - w and 1 / (1 - w), so that a quotient
-/// of two small numbers does no harm where a light is large. It is not additive: two halves of a quad
-/// differ from the whole by 2 in 100 in the mean, five walls of a furnace by up to 4: see docs/method.md.
+/// with w the light's concentration times what it leaves of the lobe, their harmonic mean
+///   1 / (1 - w + w / r):
+/// at most 1 / (1 - w), so that a quotient of two small numbers does no harm where a light is large, and
+/// nearly r where the lobe glows and the BRDF does not. It is not additive: see docs/method.md.
 FN Real blended_ratio(Surface s, Vec3 wi, Real w) {
   Real lobe = s.fitted.n1 * eval_lobes(s, wi);
   Real rho = min(eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
-  Real larger = max(max(rho, lobe), Real(k_tiny));
-  // Rounding of w, a mean, must not make it negative.
-  Real ratio = max(Real(1.0) - w * (Real(1.0) - min(rho, lobe) / larger), Real(0.0));
-  return select(rho > lobe, Real(1.0) / max(ratio, Real(0.5 / k_max_ratio)), ratio);
+  // 1 where both vanish.
+  return (rho + Real(k_tiny)) / (max(rho + w * (lobe - rho), Real(0.0)) + Real(k_tiny));
 }
 
 /// The weight of the BRDF in that: of a light that fills `share` of the lobe.

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// The tables and the polynomial that the product ships, from the constants that its public headers
+// The tables and the polynomials that the product ships, from the constants that its public headers
 // hold.
 
 #include "openltc/api/ggx_polynomial.inc"
 #include "openltc/api/ggx_table.inc"
+#include "openltc/api/ggx_two_lobe_polynomial.inc"
 #include "openltc/api/ggx_two_lobes.inc"
 #include "openltc/table/lobe_polynomial.h"
 #include "openltc/table/lobe_table.h"
@@ -48,6 +49,17 @@ LobePolynomial make_polynomial() {
   return polynomial;
 }
 
+LobePolynomial make_two_lobe_polynomial() {
+  LobePolynomial polynomial;
+  polynomial.degree = k_ggx_two_lobe_polynomial_degree;
+  polynomial.coefficients.assign(std::begin(k_ggx_two_lobe_polynomial),
+                                 std::end(k_ggx_two_lobe_polynomial));
+  polynomial.second.assign(std::begin(k_ggx_two_lobe_polynomial_second),
+                           std::end(k_ggx_two_lobe_polynomial_second));
+  polynomial.metadata = metadata_of(k_ggx_two_lobe_polynomial_metadata);
+  return polynomial;
+}
+
 } // namespace
 
 const LobeTable& builtin_ggx_table() {
@@ -62,6 +74,11 @@ const LobeTable& builtin_ggx_two_lobe_table() {
 
 const LobePolynomial& builtin_ggx_polynomial() {
   static const LobePolynomial polynomial = make_polynomial();
+  return polynomial;
+}
+
+const LobePolynomial& builtin_ggx_two_lobe_polynomial() {
+  static const LobePolynomial polynomial = make_two_lobe_polynomial();
   return polynomial;
 }
 

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace openltc::table {
 
 namespace {
@@ -39,13 +41,18 @@ Status check_determinants(const LobePolynomial& polynomial, const std::string& n
       const double roughness = double(i) / k_check_steps, y = double(j) / k_check_steps;
       const double alpha = f64::alpha_from_roughness(roughness);
       const double width_there = polynomial.width == brdf::LobeWidth::alpha ? alpha : 1.0;
-      const f64::Lobe lobe =
-          f64::eval_lobe_polynomial_of_width(polynomial.view(), alpha, width_there, 1 - y * y).lobe;
+      const double cos_theta = 1 - y * y;
+      const LobePolynomialView view = polynomial.view();
+      double det = f64::eval_lobe_polynomial_of_width(view, alpha, width_there, cos_theta).lobe.det;
+      if (polynomial.two_lobes())
+        det = std::min(
+            det, f64::eval_second_lobe_polynomial_of_width(view, alpha, width_there, cos_theta)
+                     .lobe.det);
       // What is not positive comes back as the guard's k_tiny.
-      if (!(lobe.det > 1e-12 * alpha))
+      if (!(det > 1e-12 * alpha))
         return Error{fmt::format("{}: the lobe at roughness {:.3f}, view angle cosine {:.3f} has "
                                  "no positive determinant",
-                                 name, roughness, 1 - y * y)};
+                                 name, roughness, cos_theta)};
     }
   return Success{};
 }

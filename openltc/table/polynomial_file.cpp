@@ -22,6 +22,20 @@ namespace {
 
 constexpr const char* k_format = "openltc-lobe-polynomial";
 constexpr int k_version = 1;
+constexpr int k_two_version = 2; // of two lobes
+// Of a term of two lobes: A B C D n1 s t A2 B2 C2 D2.
+constexpr int k_two_channels = 11;
+
+// The terms of two lobes, k_two_channels numbers each.
+std::vector<float> both_lobes(const LobePolynomial& p) {
+  std::vector<float> values;
+  for (int i = 0; i < polynomial_terms(p.degree); ++i) {
+    values.insert(values.end(), p.term(i), p.term(i) + 7);
+    values.insert(values.end(), p.second_term(i),
+                  p.second_term(i) + LobePolynomial::k_second_channels);
+  }
+  return values;
+}
 
 // The extension that `path` ends with, with its dot; empty when none of ours.
 std::string extension_of(const std::string& path) {
@@ -47,7 +61,8 @@ std::optional<SourceLanguage> language_of(const std::string& extension) {
 
 std::string to_json(const LobePolynomial& polynomial) {
   std::string out = "{\n";
-  out += fmt::format("\"format\": \"{}\",\n\"version\": {},\n", k_format, k_version);
+  out += fmt::format("\"format\": \"{}\",\n\"version\": {},\n", k_format,
+                     polynomial.two_lobes() ? k_two_version : k_version);
   out += metadata_json(polynomial.metadata);
   out += fmt::format("\"degree\": {},\n", polynomial.degree);
   out += fmt::format("\"width\": \"{}\",\n",
@@ -58,10 +73,15 @@ std::string to_json(const LobePolynomial& polynomial) {
       "\"terms\": \"T_i(u) T_j(v), Chebyshev, i + j <= degree: j slow from 0, i fast from 0\",\n";
   out += "\"packing\": \"mirror frame: M^-1 = [A 0 aB; 0 1 0; aC 0 aD], a = alpha or 1, acting on "
          "(x', y, z'), x' = (cos, 0, sin), z' = (-sin, 0, cos)\",\n";
-  out += "\"channels\": [\"A\", \"B\", \"C\", \"D\", \"n1\", \"s\"],\n\"n5\": \"n1 s^5\",\n";
-  out += "\"coefficients\": [\n" +
-         number_rows(polynomial.coefficients, LobePolynomial::k_channels) + "]\n}\n";
-  return out;
+  out += "\"channels\": [\"A\", \"B\", \"C\", \"D\", \"n1\", \"s\"";
+  if (polynomial.two_lobes()) out += ", \"t\", \"A2\", \"B2\", \"C2\", \"D2\"";
+  out += "],\n\"n5\": \"n1 s^5\",\n";
+  if (polynomial.two_lobes()) out += "\"weight\": \"(1 + t / sqrt(1 + t^2)) / 2\",\n";
+  out += "\"coefficients\": [\n";
+  out += polynomial.two_lobes()
+             ? number_rows(both_lobes(polynomial), k_two_channels, k_two_channels)
+             : number_rows(polynomial.coefficients, LobePolynomial::k_channels);
+  return out + "]\n}\n";
 }
 
 Result<LobePolynomial> polynomial_from_json(const std::string& text, const std::string& name) {
@@ -75,8 +95,10 @@ Result<LobePolynomial> polynomial_from_json(const std::string& text, const std::
     return Error{fmt::format("{}: format is not \"{}\"; openltc fit --form polynomial writes such "
                              "files",
                              name, k_format)};
-  if (number_of(root, "version") != k_version)
-    return Error{fmt::format("{}: version is not {}, the one this build reads", name, k_version)};
+  const double version = number_of(root, "version");
+  if (version != k_version && version != k_two_version)
+    return Error{fmt::format("{}: version is not {} or {}, those this build reads", name, k_version,
+                             k_two_version)};
 
   const double degree = number_of(root, "degree");
   if (!(degree >= LobePolynomial::k_min_degree && degree <= LobePolynomial::k_max_degree &&
@@ -93,13 +115,18 @@ Result<LobePolynomial> polynomial_from_json(const std::string& text, const std::
   if (coefficients == root.end() || !coefficients->is_array())
     return Error{name + ": coefficients is missing"};
   const std::size_t terms = std::size_t(polynomial_terms(polynomial.degree));
-  if (coefficients->size() != terms * k_stored_channels)
+  const bool two = version == k_two_version;
+  const std::size_t channels = std::size_t(two ? k_two_channels : k_stored_channels);
+  if (coefficients->size() != terms * channels)
     return Error{fmt::format("{}: coefficients holds {} numbers, but degree {} needs {}", name,
-                             coefficients->size(), polynomial.degree, terms * k_stored_channels)};
+                             coefficients->size(), polynomial.degree, terms * channels)};
   polynomial.coefficients.assign(terms * LobePolynomial::k_channels, 0.0f);
-  for (std::size_t i = 0; i < terms * k_stored_channels; ++i) {
+  if (two) polynomial.second.assign(terms * LobePolynomial::k_second_channels, 0.0f);
+  for (std::size_t i = 0; i < terms * channels; ++i) {
     const nlohmann::json& value = (*coefficients)[i];
-    float& number = polynomial.term(int(i / k_stored_channels))[i % k_stored_channels];
+    const std::size_t term = i / channels, k = i % channels;
+    float& number = k < 7 ? polynomial.term(int(term))[k]
+                          : polynomial.second[term * LobePolynomial::k_second_channels + (k - 7)];
     if (value.is_number()) number = float(value.get<double>());
     if (!value.is_number() || !std::isfinite(number))
       return Error{fmt::format("{}: coefficients[{}] is not a finite number", name, i)};
@@ -118,6 +145,21 @@ Result<LobePolynomial> read_polynomial(const std::string& path) {
 }
 
 std::string to_builtin_source(const LobePolynomial& polynomial) {
+  if (polynomial.two_lobes()) {
+    std::string out = builtin_head(
+        polynomial.metadata, "One term a line: A B C D n1 s t 0, then A B C D of the second lobe; "
+                             "see LobePolynomialView (openltc/target/resources.h).");
+    out += builtin_metadata("k_ggx_two_lobe_polynomial_metadata", polynomial.metadata);
+    out += fmt::format("inline constexpr int k_ggx_two_lobe_polynomial_degree = {};\n\n",
+                       polynomial.degree);
+    out += builtin_array("k_ggx_two_lobe_polynomial", polynomial.coefficients,
+                         LobePolynomial::k_channels) +
+           "\n";
+    return out +
+           builtin_array("k_ggx_two_lobe_polynomial_second", polynomial.second,
+                         LobePolynomial::k_second_channels) +
+           builtin_end();
+  }
   std::string out =
       builtin_head(polynomial.metadata, "One term a line: A B C D n1 s 0 0; see LobePolynomialView "
                                         "(openltc/target/resources.h).");

@@ -12,8 +12,8 @@
 
 namespace openltc::table {
 
-/// The polynomial as JSON text: metadata, degree and the six coefficients of every term, each
-/// number the shortest that reads back as the same float.
+/// The polynomial as JSON text: metadata, degree and the six coefficients of every term (eleven
+/// of two lobes), each number the shortest that reads back as the same float.
 std::string to_json(const LobePolynomial& polynomial);
 
 /// The inverse of to_json. `name` stands in for the file in error messages.
@@ -33,7 +33,8 @@ Status write_polynomial(const LobePolynomial& polynomial, const std::string& pat
 /// Whether write_polynomial knows the extension of `path`; the error says which it knows.
 Status check_polynomial_extension(const std::string& path);
 
-/// C++ source that defines builtin_ggx_polynomial() with the contents of `polynomial`.
+/// C++ source that defines builtin_ggx_polynomial(), of two lobes
+/// builtin_ggx_two_lobe_polynomial(), with the contents of `polynomial`.
 std::string to_builtin_source(const LobePolynomial& polynomial);
 
 } // namespace openltc::table

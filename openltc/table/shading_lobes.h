@@ -15,8 +15,12 @@
 
 namespace openltc::table {
 
-/// What lobes are kept in: a table, polynomials, or a table of two lobes at every node.
-enum class LobeForm { table, polynomial, two_lobe };
+/// What lobes are kept in: a table or polynomials, of one lobe or of two.
+enum class LobeForm { table, polynomial, two_lobe, two_lobe_polynomial };
+
+constexpr bool is_polynomial(LobeForm form) {
+  return form == LobeForm::polynomial || form == LobeForm::two_lobe_polynomial;
+}
 
 /// Whether a file says that it holds a lobe polynomial. It may be broken all the same.
 bool is_polynomial_file(const std::string& path);

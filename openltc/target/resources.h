@@ -30,10 +30,13 @@ struct LobeTableView {
 
 /// View of the polynomial form of fitted lobes; see shade/polynomial.glsl.
 struct LobePolynomialView {
-  /// (degree + 1)(degree + 2)/2 terms of 8 floats each, A B C D n1 s 0 0 with s = (n5/n1)^(1/5),
+  /// (degree + 1)(degree + 2)/2 terms of 8 floats each, A B C D n1 s t 0 with s = (n5/n1)^(1/5),
   /// the coefficients of T_i(u) T_j(v): j from 0 slow, i from 0 to degree - j fast.
   const float* coefficients = nullptr;
   int degree = 0; ///< in both variables together
+  /// A second lobe, as many terms of 4 floats, its A B C D; its share of n1 is
+  /// (1 + t / sqrt(1 + t^2)) / 2. Null: there is none, and t is 0.
+  const float* second = nullptr;
 };
 
 /// View of a polygon light's outline.

@@ -53,7 +53,8 @@ bool is_solid_sound(const Surface& s, const AreaLight& light, const Input& in) {
 }
 
 bool is_all_sound(const Input& in) {
-  for (const Lobes& lobes : {built_in_table(), built_in_polynomial(), built_in_two_lobe_table()}) {
+  for (const Lobes& lobes : {built_in_table(), built_in_polynomial(), built_in_two_lobe_table(),
+                             built_in_two_lobe_polynomial()}) {
     Surface surfaces[] = {
         make_surface(in.position, in.normal, in.view, in.material, lobes),
         make_surface(in.position, in.normal, in.view, in.material, lobes, in.geometric)};
@@ -150,11 +151,12 @@ TEST_CASE("tables_of_nonsense_give_no_nonsense") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const float value : {nan, 0.0f, -1.0f, 1e30f, std::numeric_limits<float>::infinity()}) {
     const std::vector<float> texels(4 * 4 * 8, value);
-    for (const int form : {0, 1, 2}) {
+    for (const int form : {0, 1, 2, 3}) {
       Lobes lobes;
-      if (form == 0) lobes.polynomial = {texels.data(), 4};
+      if (form == 0) lobes.polynomial = {texels.data(), 4, nullptr};
       if (form == 1) lobes.table = {texels.data(), 4, 4, nullptr};
       if (form == 2) lobes.table = {texels.data(), 4, 4, texels.data()};
+      if (form == 3) lobes.polynomial = {texels.data(), 4, texels.data()};
       const Input in;
       const Surface s = make_surface(in.position, in.normal, in.view, in.material, lobes);
       CAPTURE(value);

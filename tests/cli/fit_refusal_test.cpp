@@ -53,13 +53,14 @@ TEST_CASE("fit_names_what_is_wrong_usage") {
       {{"--size", "many"}, "--size"},
       {{"--form", "polynomial", "--degree", "2"}, "--degree"},
       {{"--form", "polynomial", "--degree", "7"}, "--degree"},
-      {{"--form", "spline"}, "table, polynomial or two-lobe, not 'spline'"},
+      {{"--form", "spline"}, "polynomial, two-lobe or two-lobe-polynomial, not 'spline'"},
       {{"--layout", "unreal"}, "godot or o3de, not 'unreal'"},
       {{"--layout", "1"}, "'1'"},
       {{"--precision", "float8"}, "float32 or float16"},
       {{"--objective", "sup"}, "balanced"},
       {{"--refine", "maybe"}, "auto, on or off"},
       {{"--form", "polynomial", "--layout", "unity"}, "--layout is for tables"},
+      {{"--form", "two-lobe-polynomial", "--size", "8"}, "not for --form two-lobe-polynomial"},
       {{"--form", "polynomial", "--precision", "float16"}, "--precision is for tables"},
       {{"--form", "polynomial", "--size", "64"}, "--size is for tables"},
       {{"--form", "polynomial", "--refine", "on"}, "--refine is for tables"},
@@ -203,7 +204,8 @@ TEST_CASE("render_takes_its_lobes_from_tables_and_polynomials") {
     return bytes_of(out);
   };
   const auto standard = picture({}), by_polynomial = picture({"--lobes", "polynomial"});
-  CHECK(picture({"--lobes", "table"}) == standard);
+  CHECK(picture({"--lobes", "two-lobe"}) == standard);
+  CHECK(picture({"--lobes", "table"}) != standard);
   CHECK(by_polynomial != standard);
   const auto by_table = picture({"--table", table});
   CHECK(by_table != standard);
@@ -286,8 +288,8 @@ TEST_CASE("render_refuses_lobes_that_are_broken_or_not_for_shading") {
   REQUIRE(table::write_table(small_table(1, 8), bad).ok());
   CHECK(refuses({"--table", bad}, "bad.json: has one column"));
 
-  CHECK(
-      refuses_usage(run_tool(render(out, {"--lobes", "spline"})), "table, polynomial or two-lobe"));
+  CHECK(refuses_usage(run_tool(render(out, {"--lobes", "spline"})),
+                      "two-lobe or two-lobe-polynomial"));
   CHECK_FALSE(std::filesystem::exists(out));
   CHECK(folder.file_count() == 4); // t_1, t_2, p, bad
 }

@@ -45,7 +45,9 @@ TEST_CASE("a fit for an engine's layout is one for its horizon and says who made
 }
 
 TEST_CASE("every form of a fit can be stopped") {
-  for (const table::LobeForm form : {table::LobeForm::table, table::LobeForm::polynomial}) {
+  for (const table::LobeForm form :
+       {table::LobeForm::table, table::LobeForm::polynomial, table::LobeForm::two_lobe,
+        table::LobeForm::two_lobe_polynomial}) {
     fit::FitRequest request = small(table::Layout::native);
     request.form = form;
     request.degree = 3;

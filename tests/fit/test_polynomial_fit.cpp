@@ -4,9 +4,11 @@
 // Lobes without a table: their error, and the proof that none of them turns inside out.
 
 #include "openltc/fit/polynomial_fit.h"
+#include "openltc/table/polynomial_file.h"
 #include "openltc/target/shade_f64.h"
 
 #include <doctest/doctest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +28,7 @@ double mean_tv(const table::LobePolynomial& p, double from, double to) {
 }
 
 // Least A D - alpha B C on a grid, from the stored numbers by Chebyshev's recurrence in cosines.
-double least_on_grid(const table::LobePolynomial& p, int n) {
+double least_on_grid(const table::LobePolynomial& p, int n, bool second = false) {
   double least = 1e30;
   for (int a = 0; a <= n; ++a) {
     for (int b = 0; b <= n; ++b) {
@@ -37,7 +39,8 @@ double least_on_grid(const table::LobePolynomial& p, int n) {
       for (int j = 0; j <= p.degree; ++j)
         for (int i = 0; i <= p.degree - j; ++i, ++term)
           for (int k = 0; k < 4; ++k)
-            c[k] += double(p.term(term)[k]) * std::cos(i * s) * std::cos(j * t);
+            c[k] += double(second ? p.second_term(term)[k] : p.term(term)[k]) * std::cos(i * s) *
+                    std::cos(j * t);
       least = std::min(least, c[0] * c[3] - x * x * c[1] * c[2]);
     }
   }
@@ -69,6 +72,67 @@ TEST_CASE("polynomials of degree 3 to 6: error and certificate") {
   }
 }
 
+TEST_CASE("polynomials of two lobes: error and certificate of both") {
+  const double most[] = {0.0225, 0.0195, 0.0185, 0.0185},
+               most_sharp[] = {0.005, 0.003, 0.003, 0.004};
+  for (int degree = 3; degree <= 6; ++degree) {
+    fit::PolynomialFitOptions options;
+    options.degree = degree;
+    options.two_lobes = true;
+    const Result<fit::PolynomialFit> fitted = fit::fit_polynomial(ggx(), options);
+    REQUIRE(fitted);
+    const table::LobePolynomial& p = fitted->polynomial;
+    REQUIRE(p.second.size() == std::size_t(table::polynomial_terms(degree)) * 4);
+    const double rough = mean_tv(p, 0.06, 1), sharp = mean_tv(p, 0.01, 0.06);
+    MESSAGE("degree ", degree, ": mean TV ", rough, ", low roughness ", sharp,
+            ", determinants at least ", fitted->certificate.lower_bound);
+    CHECK(rough < most[degree - 3]);
+    CHECK(sharp < most_sharp[degree - 3]);
+    const double seen = std::min(least_on_grid(p, 200), least_on_grid(p, 200, true));
+    CHECK(fitted->certificate.lower_bound > 0);
+    CHECK(seen >= fitted->certificate.lower_bound);
+  }
+}
+
+TEST_CASE("the built-in polynomial of two lobes regenerates byte for byte, on any threads") {
+  const table::LobePolynomial& builtin = table::builtin_ggx_two_lobe_polynomial();
+  for (const std::size_t count : {1, 4}) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, count);
+    fit::PolynomialFitOptions options;
+    options.two_lobes = true;
+    Result<fit::PolynomialFit> fitted = fit::fit_polynomial(ggx(), options);
+    REQUIRE(fitted);
+    fitted->polynomial.metadata = builtin.metadata;
+    const bool same = table::to_json(fitted->polynomial) == table::to_json(builtin);
+    CHECK_MESSAGE(same, "run tools/make_builtin_lobes.sh, or undo what changed the fit");
+  }
+  fit::MeasureOptions region;
+  region.horizon = fit::Horizon::clipped;
+  const auto error = fit::measure_lobes(ggx(), fit::lobes_of(builtin), region);
+  REQUIRE(error);
+  CHECK(builtin.metadata.mean_tv == doctest::Approx(error->mean.tv).epsilon(1e-3));
+}
+
+TEST_CASE("polynomials of two lobes fit every kind of BRDF better than those of one") {
+  for (const char* name : {"charlie", "eon", "beckmann"}) {
+    CAPTURE(std::string(name));
+    const brdf::Brdf& brdf = *brdf::find_brdf(name);
+    fit::MeasureOptions region;
+    region.horizon = fit::Horizon::clipped;
+    region.points = 12;
+    double tv[2] = {};
+    for (int k = 0; k < 2; ++k) {
+      fit::PolynomialFitOptions options;
+      options.two_lobes = k == 1;
+      const Result<fit::PolynomialFit> fitted = fit::fit_polynomial(brdf, options);
+      REQUIRE(fitted);
+      CHECK(fitted->certificate.lower_bound > 0);
+      tv[k] = fit::measure_lobes(brdf, fit::lobes_of(fitted->polynomial), region)->mean.tv;
+    }
+    CHECK(tv[1] < 0.9 * tv[0]);
+  }
+}
+
 TEST_CASE("the certificate denies what is not so") {
   Result<fit::PolynomialFit> fitted = fit::fit_polynomial(ggx(), {});
   REQUIRE(fitted);
@@ -78,6 +142,14 @@ TEST_CASE("the certificate denies what is not so") {
   CHECK(least_on_grid(p, 300) < 0);
   CHECK(denied.lower_bound < 0);
   CHECK(denied.smallest_seen < 0);
+
+  // Of a second lobe alone.
+  table::LobePolynomial two = table::builtin_ggx_two_lobe_polynomial();
+  CHECK(fit::certify_determinant(two).lower_bound > 0);
+  two.second[7] -= 0.5f;
+  two.second[3] -= 1.0f;
+  CHECK(least_on_grid(two, 300, true) < 0);
+  CHECK(fit::certify_determinant(two).lower_bound < 0);
 }
 
 TEST_CASE("polynomial amplitudes are albedos, of dielectrics too") {

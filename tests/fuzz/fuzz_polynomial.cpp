@@ -31,6 +31,11 @@ void check_lobes(const LobePolynomial& polynomial) {
           f64::eval_lobe_polynomial_of_width(polynomial.view(), alpha, width, 1 - y * y);
       require(std::isfinite(fitted.lobe.det) && fitted.lobe.det > 0);
       require(std::isfinite(fitted.n1) && std::isfinite(fitted.n5));
+      if (!polynomial.two_lobes()) continue;
+      const f64::SecondLobe second =
+          f64::eval_second_lobe_polynomial_of_width(polynomial.view(), alpha, width, 1 - y * y);
+      require(std::isfinite(second.lobe.det) && second.lobe.det > 0);
+      require(second.weight >= 0 && second.weight <= 1);
     }
 }
 
@@ -50,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Result<LobePolynomial> again = polynomial_from_json(to_json(*read), "fuzz");
   require(again.ok());
   require(again->degree == read->degree && again->width == read->width);
-  require(again->coefficients == read->coefficients);
+  require(again->coefficients == read->coefficients && again->second == read->second);
   for (const SourceLanguage language :
        {SourceLanguage::c, SourceLanguage::glsl, SourceLanguage::hlsl, SourceLanguage::wgsl,
         SourceLanguage::javascript})

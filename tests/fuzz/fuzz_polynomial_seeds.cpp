@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// fuzz_polynomial_seeds FOLDER: writes valid polynomials of every degree and width.
+// fuzz_polynomial_seeds FOLDER: writes valid polynomials of every degree and width,
+// one of them of two lobes.
 
 #include "openltc/table/polynomial_file.h"
 
@@ -55,6 +56,9 @@ int main(int argc, char** argv) {
     good = good && write_polynomial(of_degree(degree),
                                     (folder / (std::to_string(degree) + ".json")).string())
                        .ok();
+  good = good &&
+         write_polynomial(builtin_ggx_two_lobe_polynomial(), (folder / "two_lobes.json").string())
+             .ok();
   if (!good) std::fprintf(stderr, "%s: cannot write\n", folder.string().c_str());
   return good ? 0 : 1;
 }

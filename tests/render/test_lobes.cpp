@@ -60,7 +60,8 @@ TEST_CASE(
     "white furnace: a white metal reflects its albedo n1 at every pixel, from either form, and "
     "with the ratio of the BRDF to the lobe nearly so") {
   const render::LobeSource sources[] = {table::builtin_ggx_table(), table::builtin_ggx_polynomial(),
-                                        table::builtin_ggx_two_lobe_table()};
+                                        table::builtin_ggx_two_lobe_table(),
+                                        table::builtin_ggx_two_lobe_polynomial()};
   for (const float roughness : {0.05f, 0.2f, 0.5f, 1.0f})
     for (const render::LobeSource& lobes : sources)
       for (const render::SpecularForm form :
@@ -159,6 +160,7 @@ TEST_CASE("two lobes come closer to the reference than one, in every kernel alik
   };
   const image::Image one = rendered(table::builtin_ggx_table(), still());
   const image::Image two = rendered(table::builtin_ggx_two_lobe_table(), still());
+  const image::Image polynomial = rendered(table::builtin_ggx_two_lobe_polynomial(), still());
   render::RenderOptions reference = still();
   reference.integrator = render::Integrator::reference;
   reference.samples = 1024;
@@ -171,10 +173,24 @@ TEST_CASE("two lobes come closer to the reference than one, in every kernel alik
   };
   MESSAGE("error of two lobes over that of one ", error(two) / error(one));
   CHECK(error(two) < 0.6 * error(one));
+  MESSAGE("of the polynomial of two lobes ", error(polynomial) / error(one));
+  CHECK(error(polynomial) < 0.6 * error(one));
   for (const char* name : {"scalar", "sse4", "avx2", "avx512", "neon"}) {
     if (!render::kernel_by_name(name).shade) continue;
     const image::Image lanes = rendered(table::builtin_ggx_two_lobe_table(), still(name));
     for (std::size_t i = 0; i < two.data.size(); ++i)
       CHECK(std::abs(lanes.data[i] - two.data[i]) < 2e-3f * (std::abs(two.data[i]) + 0.05f));
+    const image::Image others = rendered(table::builtin_ggx_two_lobe_polynomial(), still(name));
+    for (std::size_t i = 0; i < two.data.size(); ++i)
+      CHECK(std::abs(others.data[i] - polynomial.data[i]) <
+            2e-3f * (std::abs(polynomial.data[i]) + 0.05f));
   }
+}
+
+TEST_CASE("two lobes are taken where lights are few") {
+  light::Lights lights;
+  lights.lines.resize(render::k_many_lights - 1);
+  CHECK(f64::lobe_table_has_second(render::builtin_lobes_for(lights).table));
+  lights.spheres.resize(1);
+  CHECK_FALSE(f64::lobe_table_has_second(render::builtin_lobes_for(lights).table));
 }

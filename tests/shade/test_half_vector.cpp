@@ -6,6 +6,7 @@
 
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f32.h"
+#include "placed_lights.h"
 #include "polygon_fixture.h"
 #include "random.h"
 
@@ -21,6 +22,7 @@
 using namespace openltc;
 using testing::Random;
 using testing::TestPolygon;
+using testing::visible_normals;
 
 namespace {
 
@@ -92,23 +94,6 @@ Quad random_quad(double size, Random& random) {
       f64::shading_frame(normalize(random.sphere() * 0.9 - w), Vec3d(0, 0.3, 1));
   return {w * random.uniform(1, 4), frame.t1 * (size * random.uniform(0.1, 2)),
           frame.t2 * (size * random.uniform(0.1, 2))};
-}
-
-// By visible normals, spread evenly (Hammersley's points): the share of their light whose direction
-// `meets` the light.
-double visible_normals(const f64::Surface& s, int bits, const std::function<bool(Vec3d)>& meets) {
-  const std::uint32_t count = 1u << bits;
-  double sum = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    double inverse = 0;
-    for (int b = 0; b < bits; ++b)
-      if (i >> b & 1) inverse += std::ldexp(1.0, -1 - b);
-    const Vec3d wi =
-        f64::sample_ggx(s.wo, s.alpha, Vec2d((i + 0.5) / count, inverse + 0.5 / count));
-    if (wi.z <= 0 || !meets(f64::to_world(s.frame, wi))) continue;
-    sum += f64::eval_ggx_terms(s.wo, wi, s.alpha).scale / f64::pdf_ggx(s.wo, wi, s.alpha);
-  }
-  return sum / count;
 }
 
 struct Errors {
@@ -361,40 +346,4 @@ TEST_CASE("exact polygons: single precision, and nothing that is not a number") 
   MESSAGE("mean ", errors.mean(), ", worst ", errors.worst);
   CHECK(errors.mean() < 2e-6);
   CHECK(errors.worst < 2e-3);
-}
-
-// See the same of the ratio at the mean direction.
-TEST_CASE("exact polygons: no step where a light grows, sets, passes the mirror or the normal") {
-  struct Path {
-    const char* name;
-    std::function<Quad(double)> at; // t in 0..1
-  };
-  const auto facing = [](Vec3d center, double size) {
-    const f64::Frame frame = f64::shading_frame(normalize(center) * -1.0, Vec3d(0, 0.31, 1));
-    return Quad{center, frame.t1 * size, frame.t2 * (0.7 * size)};
-  };
-  const Path paths[] = {
-      {"grows", [&](double t) { return facing(Vec3d(-1, 0.4, 1.2), 0.002 * std::pow(1000, t)); }},
-      {"sets", [&](double t) { return facing(Vec3d(-1.5, 0.3, 0.8 - 1.4 * t), 0.3); }},
-      {"sets, wide", [&](double t) { return facing(Vec3d(-1.5, 0.3, 1.2 - 2.4 * t), 1.1); }},
-      {"passes the mirror direction",
-       [&](double t) { return facing(Vec3d(-1.2, -1 + 2 * t, 0.8), 0.15); }},
-      {"passes the normal", [&](double t) { return facing(Vec3d(-1 + 2 * t, 0.1, 1), 0.4); }}};
-  for (const Path& path : paths)
-    for (const double roughness : {0.25, 0.6}) {
-      const f64::Surface s = surface(1.1, roughness);
-      const auto largest = [&](int steps) {
-        double before = 0, last = 0, most = 0, light = 1e-9;
-        for (int i = 0; i <= steps; ++i) {
-          const double next = found(s, path.at(double(i) / steps));
-          if (i >= 2) most = std::max(most, std::abs(next - 2 * last + before));
-          before = last;
-          last = next;
-          light = std::max(light, next);
-        }
-        return most / light;
-      };
-      CAPTURE(std::string(path.name));
-      CHECK(largest(1600) < 0.5 * largest(400) + 1e-4);
-    }
 }

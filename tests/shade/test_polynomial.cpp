@@ -50,6 +50,35 @@ TEST_CASE("the sum of terms T_i(u) T_j(v), by the cosine definition of T") {
   }
 }
 
+TEST_CASE("the second lobe: its own sum, and a weight of the tangent") {
+  Random random(93);
+  table::LobePolynomial p = table::builtin_ggx_two_lobe_polynomial();
+  for (int k = 0; k < 200; ++k) {
+    const double roughness = random.uniform(0.01, 1), y = random.uniform();
+    const double alpha = roughness * roughness, cos_theta = 1 - y * y;
+    double sum[5] = {};
+    for (int j = 0, term = 0; j <= p.degree; ++j)
+      for (int i = 0; i <= p.degree - j; ++i, ++term)
+        for (int channel = 0; channel < 5; ++channel)
+          sum[channel] += double(channel < 4 ? p.second_term(term)[channel] : p.term(term)[6]) *
+                          std::cos(i * std::acos(2 * roughness - 1)) *
+                          std::cos(j * std::acos(2 * y - 1));
+    const f64::SecondLobe f = f64::eval_second_lobe_polynomial(p.view(), alpha, cos_theta);
+    const Vec4d abcd = f64::mirror_from_lobe(f.lobe, alpha, cos_theta);
+    CHECK(std::abs(abcd.x - sum[0]) < 1e-9);
+    CHECK(std::abs(abcd.y - sum[1]) < 1e-9);
+    CHECK(std::abs(abcd.z - sum[2]) < 1e-9);
+    CHECK(std::abs(abcd.w - sum[3]) < 1e-9);
+    CHECK(f.weight == doctest::Approx(0.5 + 0.5 * std::sin(std::atan(sum[4]))).epsilon(1e-12));
+    const f32::SecondLobe g =
+        f32::eval_second_lobe_polynomial(p.view(), float(alpha), float(cos_theta));
+    CHECK(std::abs(double(g.weight) - f.weight) < 1e-5);
+    CHECK(double(g.lobe.det) > 0);
+  }
+  CHECK(f64::lobe_polynomial_has_second(p.view()));
+  CHECK_FALSE(f64::lobe_polynomial_has_second(table::builtin_ggx_polynomial().view()));
+}
+
 TEST_CASE("higher degrees come closer to the table's albedo") {
   const LobeTableView table = table::builtin_ggx_table().view();
   double before = 1;
@@ -90,11 +119,12 @@ TEST_CASE("no input and no coefficients make NaN, infinities or amplitudes out o
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inputs[] = {nan, -inf, -1, -0.0, 0, 1e-30, 1e-4, 0.3, 1, 1 + 1e-9, 7, inf};
   for (int round = 0; round < 50; ++round) {
-    table::LobePolynomial p = table::builtin_ggx_polynomial();
+    table::LobePolynomial p = table::builtin_ggx_two_lobe_polynomial();
     // Anything but a fit.
     if (round > 0)
-      for (float& c : p.coefficients)
-        c = float(random.uniform(-3, 3));
+      for (std::vector<float>* of : {&p.coefficients, &p.second})
+        for (float& c : *of)
+          c = float(random.uniform(-3, 3));
     for (const double alpha : inputs)
       for (const double cos_theta : inputs) {
         const auto check = [&](const auto& f, double smallest) {
@@ -107,6 +137,9 @@ TEST_CASE("no input and no coefficients make NaN, infinities or amplitudes out o
         };
         check(f64::eval_lobe_polynomial(p.view(), alpha, cos_theta), 1e-30);
         check(f32::eval_lobe_polynomial(p.view(), float(alpha), float(cos_theta)), 0.9e-30);
+        const f64::SecondLobe second = f64::eval_second_lobe_polynomial(p.view(), alpha, cos_theta);
+        CHECK((second.lobe.det >= 1e-30 && std::isfinite(second.lobe.det)));
+        CHECK((second.weight >= 0 && second.weight <= 1));
       }
   }
 }

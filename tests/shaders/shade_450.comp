@@ -12,6 +12,7 @@ layout(set = 0, binding = 3, std430) readonly buffer Polygons { vec4 openltc_pol
 layout(set = 0, binding = 4, std430) readonly buffer Points { vec4 points[]; };
 layout(set = 0, binding = 5, std430) buffer Colors { vec4 colors[]; };
 layout(set = 0, binding = 6, std430) readonly buffer Polynomial { vec4 openltc_polynomial[]; };
+layout(set = 0, binding = 11, std430) readonly buffer Second { vec4 openltc_polynomial_second[]; };
 layout(set = 0, binding = 7) uniform texture2DArray profiles;
 layout(set = 0, binding = 8, std430) readonly buffer Emissions { vec4 openltc_emissions[]; };
 layout(set = 0, binding = 9) uniform texture2DArray emission_stacks;

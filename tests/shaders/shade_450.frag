@@ -12,6 +12,7 @@ layout(set = 0, binding = 3, std140) uniform Polygons { vec4 openltc_polygons[25
 layout(set = 0, binding = 4, std140) uniform Polynomial {
   ivec4 polynomial_header;
   vec4 openltc_polynomial[56];
+  vec4 openltc_polynomial_second[28];
 };
 layout(set = 0, binding = 5) uniform texture2DArray profiles;
 layout(set = 0, binding = 6, std140) uniform Emissions { vec4 openltc_emissions[12]; };

@@ -18,6 +18,7 @@ uniform sampler2DArray openltc_emission_stacks;
 uniform vec4 openltc_emissions[12];
 uniform int openltc_polynomial_degree;
 uniform vec4 openltc_polynomial[56];
+uniform vec4 openltc_polynomial_second[1];
 
 #include "openltc/target/glsl.inc"
 #include "openltc/target/shade_all.inc"

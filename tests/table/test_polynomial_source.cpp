@@ -67,6 +67,10 @@ std::string source(SourceLanguage language) {
 
 constexpr int k_steps = 12; // of the grid on which numbers are compared
 
+std::string two_lobes(SourceLanguage language) {
+  return table::to_source(table::builtin_ggx_two_lobe_polynomial(), language);
+}
+
 // Largest difference of "roughness cos_theta m00 m02 m20 m22 det share n1 n5" lines from ours,
 // relative to max(|value|, scale of the lobe).
 double largest_difference(const std::string& output, int& lines) {
@@ -146,6 +150,70 @@ TEST_CASE("the JavaScript module gives our numbers") {
   CHECK(worst < 2e-6);
 }
 
+TEST_CASE("two lobes: the header and the module give our numbers of the second") {
+  const Folder folder("openltc_test_source_two");
+  const std::string print = "second_m00 second_m02 second_m20 second_m22 second_det second_share "
+                            "second_weight m00 det n1 n5";
+  const auto members = [&](const std::string& before) {
+    std::istringstream names(print);
+    std::string list, name;
+    while (names >> name)
+      list += ", " + before + name;
+    return list;
+  };
+  folder.write("lobe.h", two_lobes(SourceLanguage::c));
+  const std::string c = folder.write(
+      "main.c", "#include \"lobe.h\"\n#include <stdio.h>\nint main(void) {\n"
+                "  for (int i = 0; i <= 12; ++i)\n    for (int j = 0; j <= 12; ++j) {\n"
+                "      float r = (float)i / 12, y = (float)j / 12, c = 1 - y * y;\n"
+                "      struct OpenltcTwoLobes l = openltc_ggx_two_lobes(r, c);\n"
+                "      printf(\"%.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g "
+                "%.9g\\n\", (double)r, (double)c" +
+                    members("(double)l.") + ");\n    }\n  return 0;\n}\n");
+  const std::string binary = (folder.path / "program").string();
+  const Run compiled = run(OPENLTC_CXX_COMPILER " -x c -std=c99 -Wall -Wextra -Wshadow "
+                                                "-Wdouble-promotion -Werror -o " +
+                           binary + " " + c + " -lm");
+  CAPTURE(compiled.output);
+  REQUIRE(compiled.status == 0);
+  std::vector<std::string> outputs = {run(binary).output};
+  if (has("node")) {
+    folder.write("lobe.mjs", two_lobes(SourceLanguage::javascript));
+    outputs.push_back(
+        run("node " +
+            folder.write("main.mjs",
+                         "import {openltc_ggx_two_lobes} from './lobe.mjs';\n"
+                         "for (let i = 0; i <= 12; ++i)\n  for (let j = 0; j <= 12; ++j) {\n"
+                         "    const r = i / 12, c = 1 - (j / 12) ** 2;\n"
+                         "    const l = openltc_ggx_two_lobes(r, c);\n    console.log(r, c" +
+                             members("l.") + ");\n  }\n"))
+            .output);
+  }
+  const LobePolynomialView view = table::builtin_ggx_two_lobe_polynomial().view();
+  for (const std::string& output : outputs) {
+    std::istringstream stream(output);
+    double r, cosine, v[11];
+    int lines = 0;
+    while (stream >> r >> cosine) {
+      for (double& x : v)
+        stream >> x;
+      ++lines;
+      const double alpha = f64::alpha_from_roughness(r);
+      const f64::FittedLobe first = f64::eval_lobe_polynomial(view, alpha, cosine);
+      const f64::SecondLobe second = f64::eval_second_lobe_polynomial(view, alpha, cosine);
+      const f64::Lobe& l = second.lobe;
+      const double expected[11] = {l.m00,         l.m02,          l.m20,
+                                   l.m22,         l.det,          f64::share_above_horizon(l),
+                                   second.weight, first.lobe.m00, first.lobe.det,
+                                   first.n1,      first.n5};
+      const double scale[11] = {1, 1, alpha, alpha, alpha, 1, 1, 1, alpha, 1, 1};
+      for (int k = 0; k < 11; ++k)
+        CHECK(std::abs(v[k] - expected[k]) < 1e-5 * scale[k]);
+    }
+    CHECK(lines == (k_steps + 1) * (k_steps + 1));
+  }
+}
+
 TEST_CASE("GLSL compiles, desktop and ES, old and new") {
   if (!has("glslangValidator")) return;
   const Folder folder("openltc_test_source_glsl");
@@ -164,16 +232,25 @@ TEST_CASE("GLSL compiles, desktop and ES, old and new") {
     CAPTURE(compiled.output);
     CHECK(compiled.status == 0);
   }
+  // Both functions beside each other.
+  const std::string both = "#version 100\n" + precision + text + two_lobes(SourceLanguage::glsl) +
+                           "void main() {\n  OpenltcTwoLobes l = openltc_ggx_two_lobes(0.3, 0.7);\n"
+                           "  gl_FragColor = vec4(l.second_m00, l.m22, l.second_weight, "
+                           "openltc_ggx_lobe(0.3, 0.7).n5);\n}\n";
+  const Run compiled = run("glslangValidator " + folder.write("two.frag", both));
+  CAPTURE(compiled.output);
+  CHECK(compiled.status == 0);
 }
 
 TEST_CASE("HLSL compiles") {
   if (!has("glslangValidator")) return;
   const Folder folder("openltc_test_source_hlsl");
   const std::string path =
-      folder.write("lobe.hlsl", source(SourceLanguage::hlsl) +
+      folder.write("lobe.hlsl", source(SourceLanguage::hlsl) + two_lobes(SourceLanguage::hlsl) +
                                     "float4 main() : SV_Target {\n"
                                     "  OpenltcLobe l = openltc_ggx_lobe(0.3, 0.7);\n"
-                                    "  return float4(l.m00, l.m22, l.share, l.n5);\n}\n");
+                                    "  return float4(l.m00, l.m22, l.share,\n"
+                                    "      openltc_ggx_two_lobes(0.3, 0.7).second_weight);\n}\n");
   const Run compiled = run("glslangValidator -D -S frag -e main -V -o " +
                            (folder.path / "lobe.spv").string() + " " + path);
   CAPTURE(compiled.output);
@@ -189,10 +266,11 @@ TEST_CASE("WGSL is valid") {
   }
   const Folder folder("openltc_test_source_wgsl");
   const std::string path =
-      folder.write("lobe.wgsl", source(SourceLanguage::wgsl) +
+      folder.write("lobe.wgsl", source(SourceLanguage::wgsl) + two_lobes(SourceLanguage::wgsl) +
                                     "@fragment\nfn main() -> @location(0) vec4<f32> {\n"
                                     "  let l = openltc_ggx_lobe(0.3, 0.7);\n"
-                                    "  return vec4<f32>(l.m00, l.m22, l.share, l.n5);\n}\n");
+                                    "  return vec4<f32>(l.m00, l.m22, l.share,\n"
+                                    "      openltc_ggx_two_lobes(0.3, 0.7).second_weight);\n}\n");
   const std::string script = folder.write(
       "check.mjs",
       "import {readFileSync} from 'node:fs';\nimport {parseWgsl, validate} from 'file://" +

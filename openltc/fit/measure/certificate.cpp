@@ -53,6 +53,7 @@ std::vector<std::vector<double>> shifted_chebyshev(int degree) {
   return t;
 }
 
+// Channels 0 to 3 are A B C D of the first lobe, 4 to 7 those of the second.
 Bivariate powers_of_channel(const table::LobePolynomial& p, int channel) {
   const auto t = shifted_chebyshev(p.degree);
   Bivariate result(p.degree);
@@ -61,8 +62,9 @@ Bivariate powers_of_channel(const table::LobePolynomial& p, int channel) {
     for (int i = 0; i <= p.degree - j; ++i, ++term)
       for (int a = 0; a <= i; ++a)
         for (int b = 0; b <= j; ++b)
-          result.at(a, b) += double(p.term(term)[channel]) * t[std::size_t(i)][std::size_t(a)] *
-                             t[std::size_t(j)][std::size_t(b)];
+          result.at(a, b) +=
+              double(channel < 4 ? p.term(term)[channel] : p.second_term(term)[channel - 4]) *
+              t[std::size_t(i)][std::size_t(a)] * t[std::size_t(j)][std::size_t(b)];
   return result;
 }
 
@@ -206,6 +208,42 @@ double bound_of(const CellForm& form, int halvings) {
   return std::min(bound_of(low, halvings - 1), bound_of(high, halvings - 1));
 }
 
+// Of the lobe whose A is that channel.
+Certificate certify_lobe(const table::LobePolynomial& p, int first, int max_boxes) {
+  const bool wide = p.width == brdf::LobeWidth::one;
+  Bivariate determinant(2 * p.degree + 2);
+  const Bivariate a = powers_of_channel(p, first), b = powers_of_channel(p, first + 1);
+  const Bivariate c = powers_of_channel(p, first + 2), d = powers_of_channel(p, first + 3);
+  add_product(determinant, a, d, 1, 0);
+  add_product(determinant, b, c, -1, wide ? 0 : 2);
+  const double size_of_products =
+      sum_of_sizes(a) * sum_of_sizes(d) + sum_of_sizes(b) * sum_of_sizes(c);
+
+  const double least_roughness = f64::roughness_from_alpha(f64::k_min_alpha);
+  std::priority_queue<Box> open;
+  open.emplace(cut(to_bernstein(determinant), true, least_roughness).second, true);
+  Certificate result;
+  result.smallest_seen = open.top().corner();
+  for (result.boxes = 1; result.boxes < max_boxes; result.boxes += 2) {
+    const Box& worst = open.top();
+    // A value that is not positive decides; so does a bound close to the smallest value.
+    if (!(result.smallest_seen > 0) || worst.bound > 0.9 * result.smallest_seen) break;
+    auto [low, high] = cut(worst.form, worst.cut_x_next, 0.5);
+    const bool next = !worst.cut_x_next;
+    open.pop();
+    for (Bivariate* part : {&low, &high}) {
+      Box box(std::move(*part), next);
+      result.smallest_seen = std::min(result.smallest_seen, box.corner());
+      open.push(std::move(box));
+    }
+  }
+  // What rounding may have cost: every coefficient above is a sum of at most some hundred products,
+  // each of them within the sum of the products' sizes, and every halving rounds some fifty times.
+  result.lower_bound =
+      open.top().bound - 2000 * std::numeric_limits<double>::epsilon() * size_of_products;
+  return result;
+}
+
 } // namespace
 
 TableCertificate certify_determinants(const table::LobeTable& t, int max_halvings) {
@@ -249,37 +287,12 @@ TableCertificate certify_determinants(const table::LobeTable& t, int max_halving
 }
 
 Certificate certify_determinant(const table::LobePolynomial& p, int max_boxes) {
-  const bool wide = p.width == brdf::LobeWidth::one;
-  Bivariate determinant(2 * p.degree + 2);
-  const Bivariate a = powers_of_channel(p, 0), b = powers_of_channel(p, 1);
-  const Bivariate c = powers_of_channel(p, 2), d = powers_of_channel(p, 3);
-  add_product(determinant, a, d, 1, 0);
-  add_product(determinant, b, c, -1, wide ? 0 : 2);
-  const double size_of_products =
-      sum_of_sizes(a) * sum_of_sizes(d) + sum_of_sizes(b) * sum_of_sizes(c);
-
-  const double least_roughness = f64::roughness_from_alpha(f64::k_min_alpha);
-  std::priority_queue<Box> open;
-  open.emplace(cut(to_bernstein(determinant), true, least_roughness).second, true);
-  Certificate result;
-  result.smallest_seen = open.top().corner();
-  for (result.boxes = 1; result.boxes < max_boxes; result.boxes += 2) {
-    const Box& worst = open.top();
-    // A value that is not positive decides; so does a bound close to the smallest value.
-    if (!(result.smallest_seen > 0) || worst.bound > 0.9 * result.smallest_seen) break;
-    auto [low, high] = cut(worst.form, worst.cut_x_next, 0.5);
-    const bool next = !worst.cut_x_next;
-    open.pop();
-    for (Bivariate* part : {&low, &high}) {
-      Box box(std::move(*part), next);
-      result.smallest_seen = std::min(result.smallest_seen, box.corner());
-      open.push(std::move(box));
-    }
-  }
-  // What rounding may have cost: every coefficient above is a sum of at most some hundred products,
-  // each of them within the sum of the products' sizes, and every halving rounds some fifty times.
-  result.lower_bound =
-      open.top().bound - 2000 * std::numeric_limits<double>::epsilon() * size_of_products;
+  Certificate result = certify_lobe(p, 0, max_boxes);
+  if (!p.two_lobes()) return result;
+  const Certificate second = certify_lobe(p, 4, max_boxes);
+  result.lower_bound = std::min(result.lower_bound, second.lower_bound);
+  result.smallest_seen = std::min(result.smallest_seen, second.smallest_seen);
+  result.boxes += second.boxes;
   return result;
 }
 

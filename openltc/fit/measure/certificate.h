@@ -12,7 +12,8 @@ namespace openltc::fit {
 /// A proven bound of a polynomial from below.
 struct Certificate {
   /// A D - w B C, w the lobe's width, is at least this over the whole domain, roughness 0.01..1
-  /// (k_min_alpha) and theta 0..90 degrees. Positive: every lobe is proper.
+  /// (k_min_alpha) and theta 0..90 degrees, of both lobes where there are two. Positive: every lobe
+  /// is proper.
   double lower_bound = 0;
   double smallest_seen = 0; ///< an upper bound of the minimum: the value at some corner of a box
   int boxes = 0;            ///< looked at

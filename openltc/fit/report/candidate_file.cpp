@@ -45,7 +45,8 @@ Candidate candidate_of(table::LobePolynomial polynomial, const std::string& labe
     return lobes(roughness, cos_theta);
   };
   c.horizon = Horizon::clipped;
-  c.metadata = {{"form", fmt::format("polynomial of degree {}", shared->degree)},
+  c.metadata = {{"form", fmt::format("polynomial{} of degree {}",
+                                     shared->two_lobes() ? " of two lobes" : "", shared->degree)},
                 {"brdf", shared->metadata.brdf},
                 {"objective", shared->metadata.objective}};
   return c;

@@ -22,16 +22,16 @@ struct Language {
   const char* sqrt;
   const char* max;
   const char* min;
-  const char* result; // declares the result
+  const char* result; // declares the result, of a type
 };
 
 const Language& words_of(SourceLanguage language) {
   static const Language words[] = {
-      {"const float ", "f", "sqrtf", "fmaxf", "fminf", "struct OpenltcLobe lobe;"},
-      {"float ", "", "sqrt", "max", "min", "OpenltcLobe lobe;"},
-      {"float ", "", "sqrt", "max", "min", "OpenltcLobe lobe;"},
-      {"let ", "", "sqrt", "max", "min", "var lobe: OpenltcLobe;"},
-      {"const ", "", "Math.sqrt", "Math.max", "Math.min", "const lobe = {};"}};
+      {"const float ", "f", "sqrtf", "fmaxf", "fminf", "struct {} lobe;"},
+      {"float ", "", "sqrt", "max", "min", "{} lobe;"},
+      {"float ", "", "sqrt", "max", "min", "{} lobe;"},
+      {"let ", "", "sqrt", "max", "min", "var lobe: {};"},
+      {"const ", "", "Math.sqrt", "Math.max", "Math.min", "const lobe = {{}};"}};
   return words[int(language)];
 }
 
@@ -71,10 +71,10 @@ public:
   void value(const std::string& name, const std::string& expression) {
     line(fmt::format("{}{} = {};", words_.value, name, expression));
   }
-  void field(const char* name, const std::string& expression) {
+  void field(const std::string& name, const std::string& expression) {
     line(fmt::format("lobe.{} = {};", name, expression));
   }
-  void result() { line(words_.result); }
+  void result(const char* type) { line(fmt::format(fmt::runtime(words_.result), type)); }
   const std::string& text() const { return out_; }
 
 private:
@@ -101,13 +101,17 @@ void write_products(Writer& w, int degree) {
       w.value(product_name(i, j), fmt::format("u{} * v{}", i, j));
 }
 
+// Channels of the second lobe's A B C D come after those of the terms.
+constexpr int k_second = LobePolynomial::k_channels;
+
 // The sum over all terms of one channel.
 std::string channel_sum(const Writer& w, const LobePolynomial& polynomial, int channel) {
   std::string sum;
   int term = 0, in_line = 0;
   for (int j = 0; j <= polynomial.degree; ++j)
     for (int i = 0; i <= polynomial.degree - j; ++i, ++term) {
-      const float c = polynomial.term(term)[channel];
+      const float c = channel < k_second ? polynomial.term(term)[channel]
+                                         : polynomial.second_term(term)[channel - k_second];
       std::string product = product_name(i, j);
       std::string literal = w.number(double(c < 0 ? -c : c));
       if (term == 0)
@@ -121,10 +125,30 @@ std::string channel_sum(const Writer& w, const LobePolynomial& polynomial, int c
   return sum;
 }
 
+const char* type_of(const LobePolynomial& polynomial) {
+  return polynomial.two_lobes() ? "OpenltcTwoLobes" : "OpenltcLobe";
+}
+
+// The fields of a lobe, their names after `prefix`, from the values a b c d after it.
+void write_lobe(Writer& w, const std::string& prefix) {
+  const std::string half = w.number(0.5), tiny = w.number(1e-30);
+  // What was factored out of M^-1: alpha, or 1.
+  w.field(prefix + "m00", fmt::format("{0}a * cos_o - width * {0}b * sin_o", prefix));
+  w.field(prefix + "m02", fmt::format("{0}a * sin_o + width * {0}b * cos_o", prefix));
+  w.field(prefix + "m20", fmt::format("width * ({0}c * cos_o - {0}d * sin_o)", prefix));
+  w.field(prefix + "m22", fmt::format("width * ({0}c * sin_o + {0}d * cos_o)", prefix));
+  w.field(prefix + "det",
+          w.max(fmt::format("width * ({0}a * {0}d - width * {0}b * {0}c)", prefix), tiny));
+  const std::string length2 = prefix + "length2";
+  w.value(length2, fmt::format("lobe.{0}m00 * lobe.{0}m00 + lobe.{0}m20 * lobe.{0}m20", prefix));
+  w.field(prefix + "share", fmt::format("{} + {} * lobe.{}m00 / {}", half, half, prefix,
+                                        w.sqrt(w.max(length2, tiny))));
+}
+
 std::string body(const LobePolynomial& polynomial, SourceLanguage language) {
   Writer w(language);
   const std::string zero = w.number(0), one = w.number(1), two = w.number(2);
-  const std::string half = w.number(0.5), tiny = w.number(1e-30);
+  const std::string half = w.number(0.5);
   w.value("alpha", w.clamped("roughness * roughness", w.number(1e-4), one));
   const bool narrow = polynomial.width == brdf::LobeWidth::alpha;
   w.value("width", narrow ? "alpha" : one);
@@ -136,16 +160,17 @@ std::string body(const LobePolynomial& polynomial, SourceLanguage language) {
   const char* channels[] = {"a", "b", "c", "d", "n1", "s"};
   for (int k = 0; k < 6; ++k)
     w.value(channels[k], channel_sum(w, polynomial, k));
-  w.result();
-  // What was factored out of M^-1: alpha, or 1.
-  w.field("m00", "a * cos_o - width * b * sin_o");
-  w.field("m02", "a * sin_o + width * b * cos_o");
-  w.field("m20", "width * (c * cos_o - d * sin_o)");
-  w.field("m22", "width * (c * sin_o + d * cos_o)");
-  w.field("det", w.max("width * (a * d - width * b * c)", tiny));
-  w.value("length2", "lobe.m00 * lobe.m00 + lobe.m20 * lobe.m20");
-  w.field("share",
-          fmt::format("{} + {} * lobe.m00 / {}", half, half, w.sqrt(w.max("length2", tiny))));
+  if (polynomial.two_lobes()) {
+    w.value("t", channel_sum(w, polynomial, 6));
+    for (int k = 0; k < 4; ++k)
+      w.value(std::string("second_") + channels[k], channel_sum(w, polynomial, k_second + k));
+  }
+  w.result(type_of(polynomial));
+  write_lobe(w, "");
+  if (polynomial.two_lobes()) {
+    write_lobe(w, "second_");
+    w.field("second_weight", fmt::format("{} + {} * t / {}", half, half, w.sqrt(one + " + t * t")));
+  }
   w.field("n1", narrow ? w.clamped("n1", zero, one) : w.max("n1", zero));
   w.value("root", w.clamped("s", zero, one));
   w.field("n5", "lobe.n1 * (root * root * root * root * root)");
@@ -174,42 +199,56 @@ std::string comment(const LobePolynomial& polynomial) {
          "//   share  of the lobe above the horizon; divide the integral of the clipped lobe by "
          "it;\n"
          "//   n1     directional albedo for F = 1;\n"
-         "//   n5     its Schlick-weighted part: specular albedo = F0 n1 + (F90 - F0) n5.\n\n";
-  return out;
+         "//   n5     its Schlick-weighted part: specular albedo = F0 n1 + (F90 - F0) n5.\n";
+  if (polynomial.two_lobes())
+    out +=
+        "//   second_...  the same of a second lobe, but for n1 and n5, which both share: its part "
+        "of\n"
+        "//   them is second_weight, that of the first the rest.\n";
+  return out + "\n";
 }
 
 } // namespace
 
 std::string to_source(const LobePolynomial& polynomial, SourceLanguage language) {
-  const std::string function = "openltc_" + identifier(polynomial.metadata.brdf) + "_lobe";
-  const std::string code = body(polynomial, language);
+  const bool two = polynomial.two_lobes();
+  const std::string function =
+      "openltc_" + identifier(polynomial.metadata.brdf) + (two ? "_two_lobes" : "_lobe");
+  const std::string type = type_of(polynomial), code = body(polynomial, language);
   std::string out = comment(polynomial);
-  const std::string fields = "  float m00, m02, m20, m22, det, share, n1, n5;\n";
+  std::string fields = "  float m00, m02, m20, m22, det, share, n1, n5;\n";
+  if (two)
+    fields += "  float second_m00, second_m02, second_m20, second_m22, second_det, second_share;\n"
+              "  float second_weight;\n";
+  const std::string guard = two ? "OPENLTC_TWO_LOBES" : "OPENLTC_LOBE";
+  const std::string structure = fmt::format("#ifndef {0}\n#define {0}\nstruct {1} {{\n{2}}};\n"
+                                            "#endif\n\n",
+                                            guard, type, fields);
   switch (language) {
   case SourceLanguage::c: {
-    std::string guard = function + "_h";
-    for (char& c : guard)
+    std::string once = function + "_h";
+    for (char& c : once)
       c = char(std::toupper(static_cast<unsigned char>(c)));
-    out += fmt::format("#ifndef {}\n#define {}\n\n#include <math.h>\n\n", guard, guard);
-    out += "#ifndef OPENLTC_LOBE\n#define OPENLTC_LOBE\nstruct OpenltcLobe {\n" + fields +
-           "};\n#endif\n\n";
-    out += fmt::format("static inline struct OpenltcLobe {}(float roughness, float cos_theta) "
+    out += fmt::format("#ifndef {0}\n#define {0}\n\n#include <math.h>\n\n", once) + structure;
+    out += fmt::format("static inline struct {} {}(float roughness, float cos_theta) "
                        "{{\n{}}}\n\n#endif\n",
-                       function, code);
+                       type, function, code);
     break;
   }
   case SourceLanguage::glsl:
   case SourceLanguage::hlsl:
-    out += "#ifndef OPENLTC_LOBE\n#define OPENLTC_LOBE\nstruct OpenltcLobe {\n" + fields +
-           "};\n#endif\n\n";
-    out +=
-        fmt::format("OpenltcLobe {}(float roughness, float cos_theta) {{\n{}}}\n", function, code);
+    out += structure;
+    out += fmt::format("{} {}(float roughness, float cos_theta) {{\n{}}}\n", type, function, code);
     break;
   case SourceLanguage::wgsl:
-    out += "struct OpenltcLobe {\n  m00: f32, m02: f32, m20: f32, m22: f32,\n  det: f32, share: "
-           "f32, n1: f32, n5: f32,\n}\n\n";
-    out += fmt::format("fn {}(roughness: f32, cos_theta: f32) -> OpenltcLobe {{\n{}}}\n", function,
-                       code);
+    out += fmt::format("struct {} {{\n  m00: f32, m02: f32, m20: f32, m22: f32,\n  det: f32, "
+                       "share: f32, n1: f32, n5: f32,\n",
+                       type);
+    if (two)
+      out += "  second_m00: f32, second_m02: f32, second_m20: f32, second_m22: f32,\n"
+             "  second_det: f32, second_share: f32, second_weight: f32,\n";
+    out += fmt::format("}}\n\nfn {}(roughness: f32, cos_theta: f32) -> {} {{\n{}}}\n", function,
+                       type, code);
     break;
   case SourceLanguage::javascript:
     out += fmt::format("export function {}(roughness, cos_theta) {{\n{}}}\n", function, code);
