@@ -49,7 +49,7 @@ Result<std::vector<shaders::Shape>> shapes_of(const std::vector<std::string>& na
   return shapes;
 }
 
-Status write_text(const std::string& path, const std::string& text) {
+Status write_shader(const std::string& path, const std::string& text) {
   return write_atomically(path, [&](const std::string& temporary) -> Status {
     std::ofstream file(temporary, std::ios::binary);
     file << text;
@@ -71,7 +71,7 @@ int run_shaders(ShadersArguments& arguments) {
   if (Status status = check_places({path}); !status) return fail("shaders", status.error());
   const Result<std::string> text = make_shader(request);
   if (!text) return fail("shaders", text.error());
-  if (Status status = write_text(path, *text); !status) return fail("shaders", status.error());
+  if (Status status = write_shader(path, *text); !status) return fail("shaders", status.error());
   if (!arguments.quiet) say("wrote {}\n", path);
   return k_exit_ok;
 }

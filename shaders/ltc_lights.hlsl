@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Light of area lights in closed form, by linearly transformed cosines (LTC), in HLSL, shader model 5.0 or later.
-// Shapes: quad, polygon, disk, sphere, tube, line, textured.
+// Area lights in closed form, by linearly transformed cosines (LTC).
+// Language: HLSL, shader model 5.0 or later. Shapes: quad, polygon, disk, sphere, tube, line, textured.
 //
 // Made by OpenLTC 0.1.0 from its shading source, and readable and yours to change like that:
 //   openltc shaders --language hlsl --shapes all
@@ -846,6 +846,23 @@ ltc_EdgeAbove ltc_edge_above(float3 a, float3 b, float s, float inv_a, float inv
   edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
   edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
   return edge;
+}
+
+// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
+// other.
+ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
+  ltc_EdgeAbove sum;
+  sum.term = a.term + b.term;
+  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
+  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
+  return sum;
+}
+
+// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
+// about z leads backwards; it holds whatever rounding makes of an angle near 0.
+float3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
+  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
+  return float3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
 }
 
 // The same with the turn added: the diffuse part of an edge.
@@ -1741,6 +1758,11 @@ float3 ltc_specular_term(ltc_Corner a, ltc_Corner b, float s) {
   return ltc_clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
 }
 
+// And above the surface's horizon, clipped to the cosine's, not yet closed.
+ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
+}
+
 // The same of an edge above both horizons.
 float3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
   return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
@@ -1889,6 +1911,19 @@ ltc_EdgeSums ltc_quad_sum_edges_in_front(ltc_Quad quad, float3 position, ltc_Fra
   return sums;
 }
 
+// The same with all corners above the surface's horizon in all lanes: nothing is cut but in cosine space.
+ltc_EdgeSums ltc_sum_quad_above(ltc_Corner a, ltc_Corner b, ltc_Corner c, ltc_Corner d, float s,
+                                float h, ltc_Lobe lobe) {
+  ltc_EdgeSums sums;
+  sums.outline2 = 0.0;
+  sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
+                 ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
+  ltc_EdgeAbove first = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
+  ltc_EdgeAbove second = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
+  sums.specular = ltc_close_outline(ltc_join_edges(first, second), h * lobe.det);
+  return sums;
+}
+
 // sum_edges for four corners, which are seen once each.
 ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, float3 position, ltc_Frame frame, ltc_Lobe lobe,
                                 float h) {
@@ -1911,10 +1946,14 @@ ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, float3 position, ltc_Frame frame,
     return sums;
   }
   float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) + ltc_diffuse_term(c, d, s) +
-                 ltc_diffuse_term(d, a, s);
-  sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
-                  ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
+  if (min(min(a.p.z, b.p.z), min(c.p.z, d.p.z)) >= 0.0) {
+    sums = ltc_sum_quad_above(a, b, c, d, s, h, lobe);
+  } else {
+    sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) +
+                   ltc_diffuse_term(c, d, s) + ltc_diffuse_term(d, a, s);
+    sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
+                    ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
+  }
   sums.outline2 = outline2;
   return sums;
 }

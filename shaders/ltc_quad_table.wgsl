@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Light of area lights in closed form, by linearly transformed cosines (LTC), in WGSL.
-// Shapes: quad.
+// Area lights in closed form, by linearly transformed cosines (LTC).
+// Language: WGSL. Shapes: quad.
 //
 // Made by OpenLTC 0.1.0 from its shading source, and readable and yours to change like that:
 //   openltc shaders --language wgsl --lobe table --shapes quad
@@ -621,6 +621,23 @@ fn ltc_edge_above(a: vec3f, b: vec3f, s: f32, inv_a: f32, inv_b: f32) -> ltc_Edg
   return edge;
 }
 
+// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
+// other.
+fn ltc_join_edges(a: ltc_EdgeAbove, b: ltc_EdgeAbove) -> ltc_EdgeAbove {
+  var sum: ltc_EdgeAbove;
+  sum.term = a.term + b.term;
+  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
+  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
+  return sum;
+}
+
+// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
+// about z leads backwards; it holds whatever rounding makes of an angle near 0.
+fn ltc_close_outline(sum: ltc_EdgeAbove, way: f32) -> vec3f {
+  let angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
+  return vec3f(sum.term.x, sum.term.y, sum.term.z + select(angle, -angle, way < 0.0));
+}
+
 // The same with the turn added: the diffuse part of an edge.
 fn ltc_edge_term_above(a: vec3f, b: vec3f, s: f32, inv_a: f32, inv_b: f32) -> vec3f {
   let a_up = a.z >= 0.0;
@@ -988,6 +1005,11 @@ fn ltc_specular_term(a: ltc_Corner, b: ltc_Corner, s: f32) -> vec3f {
   return ltc_clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
 }
 
+// And above the surface's horizon, clipped to the cosine's, not yet closed.
+fn ltc_specular_edge(a: ltc_Corner, b: ltc_Corner, s: f32) -> ltc_EdgeAbove {
+  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
+}
+
 // The same of an edge above both horizons.
 fn ltc_whole_diffuse_term(a: ltc_Corner, b: ltc_Corner) -> vec3f {
   return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
@@ -1067,6 +1089,19 @@ fn ltc_quad_sum_edges_in_front(quad: ltc_Quad, position: vec3f, frame: ltc_Frame
   return sums;
 }
 
+// The same with all corners above the surface's horizon in all lanes: nothing is cut but in cosine space.
+fn ltc_sum_quad_above(a: ltc_Corner, b: ltc_Corner, c: ltc_Corner, d: ltc_Corner, s: f32, h: f32,
+                      lobe: ltc_Lobe) -> ltc_EdgeSums {
+  var sums: ltc_EdgeSums;
+  sums.outline2 = 0.0;
+  sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
+                 ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
+  let first = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
+  let second = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
+  sums.specular = ltc_close_outline(ltc_join_edges(first, second), h * lobe.det);
+  return sums;
+}
+
 // sum_edges for four corners, which are seen once each.
 fn ltc_sum_quad_edges(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
                       h: f32) -> ltc_EdgeSums {
@@ -1089,10 +1124,14 @@ fn ltc_sum_quad_edges(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: l
     return sums;
   }
   let s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) + ltc_diffuse_term(c, d, s) +
-                 ltc_diffuse_term(d, a, s);
-  sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
-                  ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
+  if (min(min(a.p.z, b.p.z), min(c.p.z, d.p.z)) >= 0.0) {
+    sums = ltc_sum_quad_above(a, b, c, d, s, h, lobe);
+  } else {
+    sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) +
+                   ltc_diffuse_term(c, d, s) + ltc_diffuse_term(d, a, s);
+    sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
+                    ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
+  }
   sums.outline2 = outline2;
   return sums;
 }

@@ -135,10 +135,9 @@ std::string head_of(const ShaderRequest& request) {
   const std::string& prefix = request.prefix;
   std::string out =
       "// Copyright (c) 2026 The OpenLTC authors\n// SPDX-License-Identifier: MIT\n//\n";
-  out += fmt::format(
-      "// Light of area lights in closed form, by linearly transformed cosines (LTC), in {}.\n"
-      "// Shapes: {}.\n//\n",
-      words_of(request.language).title, joined_names(request.shapes, ", "));
+  out += fmt::format("// Area lights in closed form, by linearly transformed cosines (LTC).\n"
+                     "// Language: {}. Shapes: {}.\n//\n",
+                     words_of(request.language).title, joined_names(request.shapes, ", "));
   out += fmt::format(
       "// Made by OpenLTC {} from its shading source, and readable and yours to change like that:\n"
       "//   {}\n//\n",
@@ -163,8 +162,12 @@ std::string head_of(const ShaderRequest& request) {
       "//   {0}set_geometric_normal    where a normal map turns the normal: hides what the "
       "triangle does\n"
       "//   {0}correct_at_mean         small lights become exact, for a few instructions more\n"
-      "//   {0}shade_..._parts         diffuse and specular light apart\n",
-      prefix);
+      "{1}",
+      prefix,
+      request.shapes == std::vector<Shape>{Shape::textured}
+          ? ""
+          : fmt::format("//   {}shade_..._parts         diffuse and specular light apart\n",
+                        prefix));
   out += fmt::format("//\n// Comments are those of the source: names have no {} there, a lane is "
                      "an invocation, and files that\n"
                      "// they name are OpenLTC's, as is docs/method.md, where all is derived.\n",
