@@ -1949,9 +1949,9 @@ fn ltc_sum_quad_above(a: ltc_Corner, b: ltc_Corner, c: ltc_Corner, d: ltc_Corner
   sums.outline2 = 0.0;
   sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
                  ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-  let first = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
-  let second = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
-  sums.specular = ltc_close_outline(ltc_join_edges(first, second), h * lobe.det);
+  let to_c = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
+  let to_a = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
+  sums.specular = ltc_close_outline(ltc_join_edges(to_c, to_a), h * lobe.det);
   return sums;
 }
 

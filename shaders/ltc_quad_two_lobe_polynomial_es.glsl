@@ -1292,9 +1292,9 @@ ltc_EdgeSums ltc_sum_quad_above(ltc_Corner a, ltc_Corner b, ltc_Corner c, ltc_Co
   sums.outline2 = 0.0;
   sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
                  ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-  ltc_EdgeAbove first = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
-  ltc_EdgeAbove second = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
-  sums.specular = ltc_close_outline(ltc_join_edges(first, second), h * lobe.det);
+  ltc_EdgeAbove to_c = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
+  ltc_EdgeAbove to_a = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
+  sums.specular = ltc_close_outline(ltc_join_edges(to_c, to_a), h * lobe.det);
   return sums;
 }
 
