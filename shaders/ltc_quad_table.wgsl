@@ -908,18 +908,15 @@ fn ltc_reflectance_of_part(s: ltc_Surface, wi: vec3f, share: f32, filled: f32) -
 // direction wi the BRDF is larger than the lobe by
 //   r = rho / (n1 D),  rho = D V cos of GGX, D the lobe's density above the horizon.
 // A light that fills the whole lobe has n1 whatever its shape, so 1 is right for that. Between the two,
-// with w the light's concentration times what it leaves of the lobe,
-//   1 - w (1 - min(r, 1/r)),   or one over that where r > 1:
-// as much up as down, smooth at r = 1, within r and 1 and within 1 - w and 1 / (1 - w), so that a quotient
-// of two small numbers does no harm where a light is large. It is not additive: two halves of a quad
-// differ from the whole by 2 in 100 in the mean, five walls of a furnace by up to 4: see docs/method.md.
+// with w the light's concentration times what it leaves of the lobe, their harmonic mean
+//   1 / (1 - w + w / r):
+// at most 1 / (1 - w), so that a quotient of two small numbers does no harm where a light is large, and
+// nearly r where the lobe glows and the BRDF does not. It is not additive: see docs/method.md.
 fn ltc_blended_ratio(s: ltc_Surface, wi: vec3f, w: f32) -> f32 {
   let lobe = s.fitted.n1 * ltc_eval_lobes(s, wi);
   let rho = min(ltc_eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
-  let larger = max(max(rho, lobe), ltc_k_tiny);
-  // Rounding of w, a mean, must not make it negative.
-  let ratio = max(1.0 - w * (1.0 - min(rho, lobe) / larger), 0.0);
-  return select(ratio, 1.0 / max(ratio, 0.5 / ltc_k_max_ratio), rho > lobe);
+  // 1 where both vanish.
+  return (rho + ltc_k_tiny) / (max(rho + w * (lobe - rho), 0.0) + ltc_k_tiny);
 }
 
 // The weight of the BRDF in that: of a light that fills `share` of the lobe.
@@ -1096,9 +1093,9 @@ fn ltc_sum_quad_above(a: ltc_Corner, b: ltc_Corner, c: ltc_Corner, d: ltc_Corner
   sums.outline2 = 0.0;
   sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
                  ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-  let first = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
-  let second = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
-  sums.specular = ltc_close_outline(ltc_join_edges(first, second), h * lobe.det);
+  let to_c = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
+  let to_a = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
+  sums.specular = ltc_close_outline(ltc_join_edges(to_c, to_a), h * lobe.det);
   return sums;
 }
 

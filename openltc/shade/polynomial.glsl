@@ -24,15 +24,11 @@
 // The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
 // smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
-/// Sums over the terms of a polynomial, at one roughness and view angle.
-struct PolynomialSums {
-  Vec4 mirror;     ///< A B C D, of the first or the second lobe
-  Vec2 amplitudes; ///< n1 s of the first, t and 0 of the second
-};
-
-/// Of the first lobe, or of the second where there is one.
-FN PolynomialSums sum_lobe_polynomial(LobePolynomial polynomial, bool second, Real alpha,
-                                      Real cos_theta) {
+/// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+/// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+/// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha, Real width,
+                                            Real cos_theta) {
   ASSERT_THAT(lobe_polynomial_degree(polynomial) >= 0);
   Real a = min(max(alpha, Real(k_min_alpha)), Real(1.0));
   Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
@@ -44,9 +40,8 @@ FN PolynomialSums sum_lobe_polynomial(LobePolynomial polynomial, bool second, Re
   // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
   // at T_j(v) instead of 1. All channels share it.
   int degree = lobe_polynomial_degree(polynomial);
-  PolynomialSums sums;
-  sums.mirror = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
-  sums.amplitudes = Vec2(Real(0.0), Real(0.0));
+  Vec4 abcd = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
+  Vec2 amplitudes = Vec2(Real(0.0), Real(0.0));
   Real t_v = Real(1.0);
   Real t_v_before = v;
   int term = 0;
@@ -54,13 +49,8 @@ FN PolynomialSums sum_lobe_polynomial(LobePolynomial polynomial, bool second, Re
     Real product = t_v;
     Real product_before = u * t_v;
     for (int i = 0; i <= degree - j; ++i) {
-      if (second) {
-        sums.mirror = sums.mirror + lobe_polynomial_second(polynomial, term) * product;
-        sums.amplitudes.x = sums.amplitudes.x + lobe_polynomial_tangent(polynomial, term) * product;
-      } else {
-        sums.mirror = sums.mirror + lobe_polynomial_mirror(polynomial, term) * product;
-        sums.amplitudes = sums.amplitudes + lobe_polynomial_amplitudes(polynomial, term) * product;
-      }
+      abcd = abcd + lobe_polynomial_mirror(polynomial, term) * product;
+      amplitudes = amplitudes + lobe_polynomial_amplitudes(polynomial, term) * product;
       Real next = u_twice * product - product_before;
       product_before = product;
       product = next;
@@ -70,27 +60,12 @@ FN PolynomialSums sum_lobe_polynomial(LobePolynomial polynomial, bool second, Re
     t_v_before = t_v;
     t_v = t_v_next;
   }
-  return sums;
-}
 
-/// The lobe of these coefficients A B C D, with a determinant above 0 whatever they are.
-FN Lobe lobe_of_sums(Vec4 mirror, Real width, Real cos_theta) {
-  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
-  Lobe lobe = lobe_from_mirror(mirror, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
-  lobe.det = max(lobe.det, Real(k_tiny));
-  return lobe;
-}
-
-/// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
-/// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
-/// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
-FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha, Real width,
-                                            Real cos_theta) {
-  PolynomialSums sums = sum_lobe_polynomial(polynomial, false, alpha, cos_theta);
   FittedLobe fitted;
-  fitted.lobe = lobe_of_sums(sums.mirror, width, cos_theta);
-  fitted.n1 = max(sums.amplitudes.x, Real(0.0));
-  Real s = min(max(sums.amplitudes.y, Real(0.0)), Real(1.0));
+  fitted.lobe = lobe_from_mirror(abcd, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
+  fitted.lobe.det = max(fitted.lobe.det, Real(k_tiny));
+  fitted.n1 = max(amplitudes.x, Real(0.0));
+  Real s = min(max(amplitudes.y, Real(0.0)), Real(1.0));
   Real s2 = s * s;
   fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;
@@ -105,14 +80,44 @@ FN FittedLobe eval_lobe_polynomial(LobePolynomial polynomial, Real alpha, Real c
   return fitted;
 }
 
-/// The second lobe of a polynomial that has one (lobe_polynomial_has_second), whatever the values:
-/// a determinant above 0, a weight in [0, 1]. `width` as above.
+/// The second lobe of a polynomial that has one (lobe_polynomial_has_second), whatever the values: a
+/// determinant above 0, a weight in [0, 1]. `width` as above.
 FN SecondLobe eval_second_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha,
                                                    Real width, Real cos_theta) {
-  PolynomialSums sums = sum_lobe_polynomial(polynomial, true, alpha, cos_theta);
-  Real t = sums.amplitudes.x;
+  ASSERT_THAT(lobe_polynomial_degree(polynomial) >= 0);
+  Real a = min(max(alpha, Real(k_min_alpha)), Real(1.0));
+  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
+  Real u = Real(2.0) * sqrt(a) - Real(1.0);
+  Real v = Real(2.0) * sqrt(Real(1.0) - c) - Real(1.0);
+  Real u_twice = u + u;
+  Real v_twice = v + v;
+
+  // The recurrence of the first lobe, over other coefficients: shaders of one lobe have none of these.
+  int degree = lobe_polynomial_degree(polynomial);
+  Vec4 abcd = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
+  Real t = Real(0.0);
+  Real t_v = Real(1.0);
+  Real t_v_before = v;
+  int term = 0;
+  for (int j = 0; j <= degree; ++j) {
+    Real product = t_v;
+    Real product_before = u * t_v;
+    for (int i = 0; i <= degree - j; ++i) {
+      abcd = abcd + lobe_polynomial_second(polynomial, term) * product;
+      t = t + lobe_polynomial_tangent(polynomial, term) * product;
+      Real next = u_twice * product - product_before;
+      product_before = product;
+      product = next;
+      ++term;
+    }
+    Real t_v_next = v_twice * t_v - t_v_before;
+    t_v_before = t_v;
+    t_v = t_v_next;
+  }
+
   SecondLobe second;
-  second.lobe = lobe_of_sums(sums.mirror, width, cos_theta);
+  second.lobe = lobe_from_mirror(abcd, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
+  second.lobe.det = max(second.lobe.det, Real(k_tiny));
   second.weight = Real(0.5) + Real(0.5) * t * inversesqrt(Real(1.0) + t * t);
   return second;
 }

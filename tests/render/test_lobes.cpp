@@ -174,7 +174,7 @@ TEST_CASE("two lobes come closer to the reference than one, in every kernel alik
   MESSAGE("error of two lobes over that of one ", error(two) / error(one));
   CHECK(error(two) < 0.6 * error(one));
   MESSAGE("of the polynomial of two lobes ", error(polynomial) / error(one));
-  CHECK(error(polynomial) < 0.6 * error(one));
+  CHECK(error(polynomial) < 0.7 * error(one)); // n1 is less exact than a table's
   for (const char* name : {"scalar", "sse4", "avx2", "avx512", "neon"}) {
     if (!render::kernel_by_name(name).shade) continue;
     const image::Image lanes = rendered(table::builtin_ggx_two_lobe_table(), still(name));
@@ -189,6 +189,8 @@ TEST_CASE("two lobes come closer to the reference than one, in every kernel alik
 
 TEST_CASE("two lobes are taken where lights are few") {
   light::Lights lights;
+  lights.punctual.resize(1);
+  CHECK_FALSE(f64::lobe_table_has_second(render::builtin_lobes_for(lights).table));
   lights.lines.resize(render::k_many_lights - 1);
   CHECK(f64::lobe_table_has_second(render::builtin_lobes_for(lights).table));
   lights.spheres.resize(1);
