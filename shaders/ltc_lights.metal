@@ -615,14 +615,11 @@ static inline float3 ltc_specular_amplitude(ltc_FittedLobe fitted, float3 f0, fl
 // The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
 // smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
-// Sums over the terms of a polynomial, at one roughness and view angle.
-struct ltc_PolynomialSums {
-  float4 mirror;     // A B C D, of the first or the second lobe
-  float2 amplitudes; // n1 s of the first, t and 0 of the second
-};
-
-// Of the first lobe, or of the second where there is one.
-static inline ltc_PolynomialSums ltc_sum_lobe_polynomial(float alpha, float cos_theta) {
+// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+static inline ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width,
+                                                               float cos_theta) {
   float a = min(max(alpha, ltc_k_min_alpha), 1.0);
   float c = min(max(cos_theta, 0.0), 1.0);
   float u = 2.0 * sqrt(a) - 1.0;
@@ -633,9 +630,8 @@ static inline ltc_PolynomialSums ltc_sum_lobe_polynomial(float alpha, float cos_
   // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
   // at T_j(v) instead of 1. All channels share it.
   int degree = ltc_lobe_polynomial_degree();
-  ltc_PolynomialSums sums;
-  sums.mirror = float4(0.0, 0.0, 0.0, 0.0);
-  sums.amplitudes = float2(0.0, 0.0);
+  float4 abcd = float4(0.0, 0.0, 0.0, 0.0);
+  float2 amplitudes = float2(0.0, 0.0);
   float t_v = 1.0;
   float t_v_before = v;
   int term = 0;
@@ -643,8 +639,8 @@ static inline ltc_PolynomialSums ltc_sum_lobe_polynomial(float alpha, float cos_
     float product = t_v;
     float product_before = u * t_v;
     for (int i = 0; i <= degree - j; ++i) {
-      sums.mirror = sums.mirror + ltc_lobe_polynomial_mirror(term) * product;
-      sums.amplitudes = sums.amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
+      abcd = abcd + ltc_lobe_polynomial_mirror(term) * product;
+      amplitudes = amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
       float next = u_twice * product - product_before;
       product_before = product;
       product = next;
@@ -654,27 +650,12 @@ static inline ltc_PolynomialSums ltc_sum_lobe_polynomial(float alpha, float cos_
     t_v_before = t_v;
     t_v = t_v_next;
   }
-  return sums;
-}
 
-// The lobe of these coefficients A B C D, with a determinant above 0 whatever they are.
-static inline ltc_Lobe ltc_lobe_of_sums(float4 mirror, float width, float cos_theta) {
-  float c = min(max(cos_theta, 0.0), 1.0);
-  ltc_Lobe lobe = ltc_lobe_from_mirror(mirror, min(max(width, ltc_k_min_alpha), 1.0), c);
-  lobe.det = max(lobe.det, ltc_k_tiny);
-  return lobe;
-}
-
-// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
-// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
-// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
-static inline ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width,
-                                                               float cos_theta) {
-  ltc_PolynomialSums sums = ltc_sum_lobe_polynomial(alpha, cos_theta);
   ltc_FittedLobe fitted;
-  fitted.lobe = ltc_lobe_of_sums(sums.mirror, width, cos_theta);
-  fitted.n1 = max(sums.amplitudes.x, 0.0);
-  float s = min(max(sums.amplitudes.y, 0.0), 1.0);
+  fitted.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  fitted.lobe.det = max(fitted.lobe.det, ltc_k_tiny);
+  fitted.n1 = max(amplitudes.x, 0.0);
+  float s = min(max(amplitudes.y, 0.0), 1.0);
   float s2 = s * s;
   fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;

@@ -611,14 +611,10 @@ fn ltc_specular_amplitude(fitted: ltc_FittedLobe, f0: vec3f, f90: vec3f) -> vec3
 // The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
 // smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
-// Sums over the terms of a polynomial, at one roughness and view angle.
-struct ltc_PolynomialSums {
-  mirror: vec4f,     // A B C D, of the first or the second lobe
-  amplitudes: vec2f, // n1 s of the first, t and 0 of the second
-}
-
-// Of the first lobe, or of the second where there is one.
-fn ltc_sum_lobe_polynomial(alpha: f32, cos_theta: f32) -> ltc_PolynomialSums {
+// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+fn ltc_eval_lobe_polynomial_of_width(alpha: f32, width: f32, cos_theta: f32) -> ltc_FittedLobe {
   let a = min(max(alpha, ltc_k_min_alpha), 1.0);
   let c = min(max(cos_theta, 0.0), 1.0);
   let u = 2.0 * sqrt(a) - 1.0;
@@ -629,9 +625,8 @@ fn ltc_sum_lobe_polynomial(alpha: f32, cos_theta: f32) -> ltc_PolynomialSums {
   // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
   // at T_j(v) instead of 1. All channels share it.
   let degree = ltc_lobe_polynomial_degree();
-  var sums: ltc_PolynomialSums;
-  sums.mirror = vec4f(0.0, 0.0, 0.0, 0.0);
-  sums.amplitudes = vec2f(0.0, 0.0);
+  var abcd = vec4f(0.0, 0.0, 0.0, 0.0);
+  var amplitudes = vec2f(0.0, 0.0);
   var t_v = 1.0;
   var t_v_before = v;
   var term = 0;
@@ -639,8 +634,8 @@ fn ltc_sum_lobe_polynomial(alpha: f32, cos_theta: f32) -> ltc_PolynomialSums {
     var product = t_v;
     var product_before = u * t_v;
     for (var i = 0; i <= degree - j; i++) {
-      sums.mirror = sums.mirror + ltc_lobe_polynomial_mirror(term) * product;
-      sums.amplitudes = sums.amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
+      abcd = abcd + ltc_lobe_polynomial_mirror(term) * product;
+      amplitudes = amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
       let next = u_twice * product - product_before;
       product_before = product;
       product = next;
@@ -650,26 +645,12 @@ fn ltc_sum_lobe_polynomial(alpha: f32, cos_theta: f32) -> ltc_PolynomialSums {
     t_v_before = t_v;
     t_v = t_v_next;
   }
-  return sums;
-}
 
-// The lobe of these coefficients A B C D, with a determinant above 0 whatever they are.
-fn ltc_lobe_of_sums(mirror: vec4f, width: f32, cos_theta: f32) -> ltc_Lobe {
-  let c = min(max(cos_theta, 0.0), 1.0);
-  var lobe = ltc_lobe_from_mirror(mirror, min(max(width, ltc_k_min_alpha), 1.0), c);
-  lobe.det = max(lobe.det, ltc_k_tiny);
-  return lobe;
-}
-
-// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
-// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
-// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
-fn ltc_eval_lobe_polynomial_of_width(alpha: f32, width: f32, cos_theta: f32) -> ltc_FittedLobe {
-  let sums = ltc_sum_lobe_polynomial(alpha, cos_theta);
   var fitted: ltc_FittedLobe;
-  fitted.lobe = ltc_lobe_of_sums(sums.mirror, width, cos_theta);
-  fitted.n1 = max(sums.amplitudes.x, 0.0);
-  let s = min(max(sums.amplitudes.y, 0.0), 1.0);
+  fitted.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  fitted.lobe.det = max(fitted.lobe.det, ltc_k_tiny);
+  fitted.n1 = max(amplitudes.x, 0.0);
+  let s = min(max(amplitudes.y, 0.0), 1.0);
   let s2 = s * s;
   fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;

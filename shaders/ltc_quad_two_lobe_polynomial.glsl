@@ -512,14 +512,10 @@ vec3 ltc_specular_amplitude(ltc_FittedLobe fitted, vec3 f0, vec3 f90) {
 // The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
 // smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
-// Sums over the terms of a polynomial, at one roughness and view angle.
-struct ltc_PolynomialSums {
-  vec4 mirror;     // A B C D, of the first or the second lobe
-  vec2 amplitudes; // n1 s of the first, t and 0 of the second
-};
-
-// Of the first lobe, or of the second where there is one.
-ltc_PolynomialSums ltc_sum_lobe_polynomial(bool second, float alpha, float cos_theta) {
+// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width, float cos_theta) {
   float a = min(max(alpha, ltc_k_min_alpha), 1.0);
   float c = min(max(cos_theta, 0.0), 1.0);
   float u = 2.0 * sqrt(a) - 1.0;
@@ -530,9 +526,8 @@ ltc_PolynomialSums ltc_sum_lobe_polynomial(bool second, float alpha, float cos_t
   // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
   // at T_j(v) instead of 1. All channels share it.
   int degree = ltc_lobe_polynomial_degree();
-  ltc_PolynomialSums sums;
-  sums.mirror = vec4(0.0, 0.0, 0.0, 0.0);
-  sums.amplitudes = vec2(0.0, 0.0);
+  vec4 abcd = vec4(0.0, 0.0, 0.0, 0.0);
+  vec2 amplitudes = vec2(0.0, 0.0);
   float t_v = 1.0;
   float t_v_before = v;
   int term = 0;
@@ -540,13 +535,8 @@ ltc_PolynomialSums ltc_sum_lobe_polynomial(bool second, float alpha, float cos_t
     float product = t_v;
     float product_before = u * t_v;
     for (int i = 0; i <= degree - j; ++i) {
-      if (second) {
-        sums.mirror = sums.mirror + ltc_lobe_polynomial_second(term) * product;
-        sums.amplitudes.x = sums.amplitudes.x + ltc_lobe_polynomial_tangent(term) * product;
-      } else {
-        sums.mirror = sums.mirror + ltc_lobe_polynomial_mirror(term) * product;
-        sums.amplitudes = sums.amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
-      }
+      abcd = abcd + ltc_lobe_polynomial_mirror(term) * product;
+      amplitudes = amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
       float next = u_twice * product - product_before;
       product_before = product;
       product = next;
@@ -556,26 +546,12 @@ ltc_PolynomialSums ltc_sum_lobe_polynomial(bool second, float alpha, float cos_t
     t_v_before = t_v;
     t_v = t_v_next;
   }
-  return sums;
-}
 
-// The lobe of these coefficients A B C D, with a determinant above 0 whatever they are.
-ltc_Lobe ltc_lobe_of_sums(vec4 mirror, float width, float cos_theta) {
-  float c = min(max(cos_theta, 0.0), 1.0);
-  ltc_Lobe lobe = ltc_lobe_from_mirror(mirror, min(max(width, ltc_k_min_alpha), 1.0), c);
-  lobe.det = max(lobe.det, ltc_k_tiny);
-  return lobe;
-}
-
-// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
-// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
-// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
-ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width, float cos_theta) {
-  ltc_PolynomialSums sums = ltc_sum_lobe_polynomial(false, alpha, cos_theta);
   ltc_FittedLobe fitted;
-  fitted.lobe = ltc_lobe_of_sums(sums.mirror, width, cos_theta);
-  fitted.n1 = max(sums.amplitudes.x, 0.0);
-  float s = min(max(sums.amplitudes.y, 0.0), 1.0);
+  fitted.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  fitted.lobe.det = max(fitted.lobe.det, ltc_k_tiny);
+  fitted.n1 = max(amplitudes.x, 0.0);
+  float s = min(max(amplitudes.y, 0.0), 1.0);
   float s2 = s * s;
   fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;
@@ -590,13 +566,42 @@ ltc_FittedLobe ltc_eval_lobe_polynomial(float alpha, float cos_theta) {
   return fitted;
 }
 
-// The second lobe of a polynomial that has one (lobe_polynomial_has_second), whatever the values:
-// a determinant above 0, a weight in [0, 1]. `width` as above.
+// The second lobe of a polynomial that has one (lobe_polynomial_has_second), whatever the values: a
+// determinant above 0, a weight in [0, 1]. `width` as above.
 ltc_SecondLobe ltc_eval_second_lobe_polynomial_of_width(float alpha, float width, float cos_theta) {
-  ltc_PolynomialSums sums = ltc_sum_lobe_polynomial(true, alpha, cos_theta);
-  float t = sums.amplitudes.x;
+  float a = min(max(alpha, ltc_k_min_alpha), 1.0);
+  float c = min(max(cos_theta, 0.0), 1.0);
+  float u = 2.0 * sqrt(a) - 1.0;
+  float v = 2.0 * sqrt(1.0 - c) - 1.0;
+  float u_twice = u + u;
+  float v_twice = v + v;
+
+  // The recurrence of the first lobe, over other coefficients: shaders of one lobe have none of these.
+  int degree = ltc_lobe_polynomial_degree();
+  vec4 abcd = vec4(0.0, 0.0, 0.0, 0.0);
+  float t = 0.0;
+  float t_v = 1.0;
+  float t_v_before = v;
+  int term = 0;
+  for (int j = 0; j <= degree; ++j) {
+    float product = t_v;
+    float product_before = u * t_v;
+    for (int i = 0; i <= degree - j; ++i) {
+      abcd = abcd + ltc_lobe_polynomial_second(term) * product;
+      t = t + ltc_lobe_polynomial_tangent(term) * product;
+      float next = u_twice * product - product_before;
+      product_before = product;
+      product = next;
+      ++term;
+    }
+    float t_v_next = v_twice * t_v - t_v_before;
+    t_v_before = t_v;
+    t_v = t_v_next;
+  }
+
   ltc_SecondLobe second;
-  second.lobe = ltc_lobe_of_sums(sums.mirror, width, cos_theta);
+  second.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  second.lobe.det = max(second.lobe.det, ltc_k_tiny);
   second.weight = 0.5 + 0.5 * t * inversesqrt(1.0 + t * t);
   return second;
 }
