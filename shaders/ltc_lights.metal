@@ -89,62 +89,6 @@ constant float ltc_k_tiny = 1.0e-30;
 // 1e11 each, and an inverse sine, at most 1e15, stays finite.
 constant float ltc_k_least_length2 = 1.0e-22;
 
-// ---- polynomial coefficients --------------------------------------------------------------------
-
-// Total degree of the polynomials in both variables.
-constant int ltc_k_polynomial_degree = 4;
-
-// Coefficients of A, B, C and D, a term a row.
-constant float4 ltc_k_polynomial_mirror[15] = {
-    float4(0.6677733, -0.2839807, 0.6423568, 1.097253),
-    float4(0.03543778, -0.3508565, 0.1513957, -0.25154),
-    float4(-0.03947054, -0.01649081, 0.03640917, -0.1250094),
-    float4(-0.03788963, 0.06603108, -0.1000224, -0.02221692),
-    float4(-0.01275793, 0.02818707, 0.01359907, 0.008370275),
-    float4(-0.4390807, -0.2865121, 0.6107541, -0.8337397),
-    float4(0.04532699, -0.3207448, 0.2106151, 0.2377783),
-    float4(-0.04185048, 0.00981988, -0.07275826, 0.07755067),
-    float4(-0.04465733, 0.06849372, 0.015033, 0.002158859),
-    float4(-0.1106452, 0.009666363, 0.09600891, -0.2100363),
-    float4(0.01206078, 0.03199834, -0.1940915, 0.05398509),
-    float4(-0.009938524, 0.0348854, 0.110808, 0.01473734),
-    float4(0.001470969, 0.006227979, -0.03764246, -0.0002229243),
-    float4(-0.0001330755, 0.007741617, 0.05895613, -0.001076636),
-    float4(0.002074114, -0.001229983, 0.009980159, 0.00201469)};
-
-// And of n1 and s.
-constant float2 ltc_k_polynomial_amplitudes[15] = {
-    float2(0.8045086, 0.343843),
-    float2(-0.2724648, -0.05521916),
-    float2(-0.07661926, 0.02603711),
-    float2(0.008226918, -0.009146704),
-    float2(0.01169145, -0.001905162),
-    float2(0.07112518, 0.363317),
-    float2(0.1375234, -0.135376),
-    float2(0.07787056, -0.05730146),
-    float2(-0.003416058, 0.03913193),
-    float2(0.04123044, 0.04581396),
-    float2(0.07066337, -0.0722363),
-    float2(0.02702755, 0.05455893),
-    float2(0.01748315, 0.01933991),
-    float2(0.03402566, 0.01176714),
-    float2(0.008494951, -0.01617918)};
-
-// ---- polynomial data ----------------------------------------------------------------------------
-//
-// Coefficients of the fitted lobe as constants: no texture.
-
-// Total degree in both variables.
-static inline int ltc_lobe_polynomial_degree() { return ltc_k_polynomial_degree; }
-
-// A B C D of a term.
-static inline float4 ltc_lobe_polynomial_mirror(int term) { return ltc_k_polynomial_mirror[term]; }
-
-// n1 and s of a term.
-static inline float2 ltc_lobe_polynomial_amplitudes(int term) {
-  return ltc_k_polynomial_amplitudes[term];
-}
-
 // ---- quad data ----------------------------------------------------------------------------------
 //
 // A light of four corners, known by its middle.
@@ -615,6 +559,55 @@ static inline float3 ltc_specular_amplitude(ltc_FittedLobe fitted, float3 f0, fl
 // The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
 // smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
+// What the terms of the first lobe and of the amplitudes add up to.
+struct ltc_LobePolynomialSum {
+  float4 mirror;     // A B C D
+  float2 amplitudes; // n1 s
+};
+
+// At u and v, see above.
+static inline ltc_LobePolynomialSum ltc_sum_lobe_polynomial(float u, float v) {
+  // Chebyshev's polynomials: un is T_n(u), vn is T_n(v).
+  float u2 = 2.0 * u * u - 1.0;
+  float u3 = 2.0 * u * u2 - u;
+  float u4 = 2.0 * u * u3 - u2;
+  float v2 = 2.0 * v * v - 1.0;
+  float v3 = 2.0 * v * v2 - v;
+  float v4 = 2.0 * v * v3 - v2;
+  ltc_LobePolynomialSum sum;
+  sum.mirror = float4(0.6677733, -0.2839807, 0.6423568, 1.097253);
+  sum.mirror = sum.mirror + float4(0.03543778, -0.3508565, 0.1513957, -0.25154) * u;
+  sum.mirror = sum.mirror + float4(-0.03947054, -0.01649081, 0.03640917, -0.1250094) * u2;
+  sum.mirror = sum.mirror + float4(-0.03788963, 0.06603108, -0.1000224, -0.02221692) * u3;
+  sum.mirror = sum.mirror + float4(-0.01275793, 0.02818707, 0.01359907, 0.008370275) * u4;
+  sum.mirror = sum.mirror + float4(-0.4390807, -0.2865121, 0.6107541, -0.8337397) * v;
+  sum.mirror = sum.mirror + float4(0.04532699, -0.3207448, 0.2106151, 0.2377783) * (u * v);
+  sum.mirror = sum.mirror + float4(-0.04185048, 0.00981988, -0.07275826, 0.07755067) * (u2 * v);
+  sum.mirror = sum.mirror + float4(-0.04465733, 0.06849372, 0.015033, 0.002158859) * (u3 * v);
+  sum.mirror = sum.mirror + float4(-0.1106452, 0.009666363, 0.09600891, -0.2100363) * v2;
+  sum.mirror = sum.mirror + float4(0.01206078, 0.03199834, -0.1940915, 0.05398509) * (u * v2);
+  sum.mirror = sum.mirror + float4(-0.009938524, 0.0348854, 0.110808, 0.01473734) * (u2 * v2);
+  sum.mirror = sum.mirror + float4(0.001470969, 0.006227979, -0.03764246, -0.0002229243) * v3;
+  sum.mirror = sum.mirror + float4(-0.0001330755, 0.007741617, 0.05895613, -0.001076636) * (u * v3);
+  sum.mirror = sum.mirror + float4(0.002074114, -0.001229983, 0.009980159, 0.00201469) * v4;
+  sum.amplitudes = float2(0.8045086, 0.343843);
+  sum.amplitudes = sum.amplitudes + float2(-0.2724648, -0.05521916) * u;
+  sum.amplitudes = sum.amplitudes + float2(-0.07661926, 0.02603711) * u2;
+  sum.amplitudes = sum.amplitudes + float2(0.008226918, -0.009146704) * u3;
+  sum.amplitudes = sum.amplitudes + float2(0.01169145, -0.001905162) * u4;
+  sum.amplitudes = sum.amplitudes + float2(0.07112518, 0.363317) * v;
+  sum.amplitudes = sum.amplitudes + float2(0.1375234, -0.135376) * (u * v);
+  sum.amplitudes = sum.amplitudes + float2(0.07787056, -0.05730146) * (u2 * v);
+  sum.amplitudes = sum.amplitudes + float2(-0.003416058, 0.03913193) * (u3 * v);
+  sum.amplitudes = sum.amplitudes + float2(0.04123044, 0.04581396) * v2;
+  sum.amplitudes = sum.amplitudes + float2(0.07066337, -0.0722363) * (u * v2);
+  sum.amplitudes = sum.amplitudes + float2(0.02702755, 0.05455893) * (u2 * v2);
+  sum.amplitudes = sum.amplitudes + float2(0.01748315, 0.01933991) * v3;
+  sum.amplitudes = sum.amplitudes + float2(0.03402566, 0.01176714) * (u * v3);
+  sum.amplitudes = sum.amplitudes + float2(0.008494951, -0.01617918) * v4;
+  return sum;
+}
+
 // The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
 // values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
 // M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
@@ -624,38 +617,12 @@ static inline ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, floa
   float c = min(max(cos_theta, 0.0), 1.0);
   float u = 2.0 * sqrt(a) - 1.0;
   float v = 2.0 * sqrt(1.0 - c) - 1.0;
-  float u_twice = u + u;
-  float v_twice = v + v;
-
-  // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
-  // at T_j(v) instead of 1. All channels share it.
-  int degree = ltc_lobe_polynomial_degree();
-  float4 abcd = float4(0.0, 0.0, 0.0, 0.0);
-  float2 amplitudes = float2(0.0, 0.0);
-  float t_v = 1.0;
-  float t_v_before = v;
-  int term = 0;
-  for (int j = 0; j <= degree; ++j) {
-    float product = t_v;
-    float product_before = u * t_v;
-    for (int i = 0; i <= degree - j; ++i) {
-      abcd = abcd + ltc_lobe_polynomial_mirror(term) * product;
-      amplitudes = amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
-      float next = u_twice * product - product_before;
-      product_before = product;
-      product = next;
-      ++term;
-    }
-    float t_v_next = v_twice * t_v - t_v_before;
-    t_v_before = t_v;
-    t_v = t_v_next;
-  }
-
+  ltc_LobePolynomialSum sum = ltc_sum_lobe_polynomial(u, v);
   ltc_FittedLobe fitted;
-  fitted.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  fitted.lobe = ltc_lobe_from_mirror(sum.mirror, min(max(width, ltc_k_min_alpha), 1.0), c);
   fitted.lobe.det = max(fitted.lobe.det, ltc_k_tiny);
-  fitted.n1 = max(amplitudes.x, 0.0);
-  float s = min(max(amplitudes.y, 0.0), 1.0);
+  fitted.n1 = max(sum.amplitudes.x, 0.0);
+  float s = min(max(sum.amplitudes.y, 0.0), 1.0);
   float s2 = s * s;
   fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;
@@ -821,103 +788,6 @@ static inline float ltc_angle_of_unit(float c, float s) {
   float acute = s * ltc_acute_over_sin(c);
   float half_turn = s < 0.0 ? -ltc_k_pi : ltc_k_pi;
   return c < 0.0 ? half_turn - acute : acute;
-}
-
-// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
-// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
-// counts as it is.
-struct ltc_EdgeAbove {
-  float3 term;    // its contribution to the vector irradiance, times 2 pi
-  float turn_cos; // 1 where nothing was cut
-  float turn_sin; // 0 where nothing was cut
-};
-
-// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-static inline ltc_EdgeAbove ltc_edge_above(float3 a, float3 b, float s, float inv_a, float inv_b) {
-  bool a_up = a.z >= 0.0;
-  bool b_up = b.z >= 0.0;
-  float3 d = b - a;
-  float t = ltc_crossing_place(a.z, b.z);
-  float3 q = float3(a.x + d.x * t, a.y + d.y * t, 0.0);
-  float inv_q = ltc_inverse_length(q);
-  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
-  ltc_EdgeAbove edge;
-  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
-                                   b_up ? inv_b : inv_q);
-  edge.term = a_up || b_up ? edge.term : float3(0.0, 0.0, 0.0);
-  bool leaves = a_up && !b_up;
-  bool enters = b_up && !a_up;
-  float inv_s = inv_q * s;
-  float x = q.x * inv_s;
-  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
-  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
-  return edge;
-}
-
-// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
-// other.
-static inline ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
-  ltc_EdgeAbove sum;
-  sum.term = a.term + b.term;
-  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
-  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
-  return sum;
-}
-
-// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
-// about z leads backwards; it holds whatever rounding makes of an angle near 0.
-static inline float3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
-  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
-  return float3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
-}
-
-// The same with the turn added: the diffuse part of an edge.
-static inline float3 ltc_edge_term_above(float3 a, float3 b, float s, float inv_a, float inv_b) {
-  bool a_up = a.z >= 0.0;
-  bool b_up = b.z >= 0.0;
-  // Uniform shortcuts: no lane needs to clip, or none has anything left.
-  if (a_up && b_up) {
-    return ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
-  }
-  if (!(a_up || b_up)) {
-    return float3(0.0, 0.0, 0.0);
-  }
-  ltc_EdgeAbove edge = ltc_edge_above(a, b, s, inv_a, inv_b);
-  edge.term.z = edge.term.z + ltc_angle_of_unit(edge.turn_cos, edge.turn_sin);
-  return edge.term;
-}
-
-// One edge of an outline, clipped to the wedge and closed towards the apex where it was cut. An
-// outline passes the inverse lengths of its points on from edge to edge.
-static inline float3 ltc_clipped_edge_term_scaled(float3 a_o, float3 b_o, float a_z, float b_z,
-                                                  float s, float inv_a, float inv_b) {
-  float3 none = float3(0.0, 0.0, 0.0);
-  bool a_inside = a_z >= 0.0 && a_o.z >= 0.0;
-  bool b_inside = b_z >= 0.0 && b_o.z >= 0.0;
-  // Uniform shortcuts: no lane needs to clip, or none has anything left.
-  if (a_inside && b_inside) {
-    return ltc_edge_term_scaled(a_o, b_o, b_o - a_o, inv_a, inv_b);
-  }
-  if (!((a_z >= 0.0 || b_z >= 0.0) && (a_o.z >= 0.0 || b_o.z >= 0.0))) {
-    return none;
-  }
-  ltc_ClippedEdge edge = ltc_clip_edge(a_o, b_o, a_z, b_z);
-  // Nearly always one end at most was cut, q.
-  float3 q = a_inside ? edge.p1 : edge.p0;
-  float inv_q = ltc_inverse_length(q);
-  float inv_p1 = b_inside ? inv_b : inv_q;
-  float leaves = a_inside ? (b_inside ? 0.0 : 1.0) : -1.0;
-  float3 closing = ltc_apex_term(q, inv_q, s) * leaves;
-  bool both = !a_inside && !b_inside && !edge.outside;
-  if (both) {
-    float inv_end = ltc_inverse_length(edge.p1);
-    inv_p1 = inv_end;
-    closing = closing + ltc_apex_term(edge.p1, inv_end, s);
-  }
-  // An end that was not cut stays the very point whose inverse length is known.
-  float3 sum = ltc_edge_term_scaled(edge.p0, b_inside ? b_o : edge.p1, (b_o - a_o) * edge.extent,
-                                    a_inside ? inv_a : inv_q, inv_p1) + closing;
-  return edge.outside ? none : sum;
 }
 
 // The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own
@@ -1714,12 +1584,6 @@ static inline float3 ltc_arc_crossing(ltc_Cone cone, ltc_Arc part, float3 front,
 //
 // Source: the edge sum of edge.glsl.
 
-// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
-// normal, meets the y axis.
-static inline float ltc_apex_side(float normal_y, float h) {
-  return normal_y * h < 0.0 ? -1.0 : 1.0;
-}
-
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   float3 diffuse;  // 2 pi times the vector irradiance of the clipped polygon in shading space
@@ -1746,12 +1610,6 @@ static inline ltc_Corner ltc_corner_at(float3 p, ltc_Lobe lobe) {
 }
 
 // Corner i of a polygon as `position`, world space, sees it.
-static inline ltc_Corner ltc_corner_seen(constant float4* polygon, int i, float3 position,
-                                         ltc_Frame frame, ltc_Lobe lobe) {
-  return ltc_corner_at(ltc_to_shading(frame, ltc_polygon_point(polygon, i) - position), lobe);
-}
-
-// Corner i of a polygon as `position`, world space, sees it.
 static inline ltc_Corner ltc_quad_corner_seen(ltc_Quad quad, int i, float3 position,
                                               ltc_Frame frame, ltc_Lobe lobe) {
   return ltc_corner_at(ltc_to_shading(frame, ltc_quad_point(quad, i) - position), lobe);
@@ -1759,21 +1617,6 @@ static inline ltc_Corner ltc_quad_corner_seen(ltc_Quad quad, int i, float3 posit
 
 // Height over the nearer of the two horizons, in units of its own space.
 static inline float ltc_least_height(ltc_Corner corner) { return min(corner.p.z, corner.o.z); }
-
-// The term of the edge from a to b in shading space, clipped to the horizon; s: its apex_side.
-static inline float3 ltc_diffuse_term(ltc_Corner a, ltc_Corner b, float s) {
-  return ltc_edge_term_above(a.p, b.p, s, a.inv_p, b.inv_p);
-}
-
-// And in cosine space, clipped to both horizons.
-static inline float3 ltc_specular_term(ltc_Corner a, ltc_Corner b, float s) {
-  return ltc_clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
-}
-
-// And above the surface's horizon, clipped to the cosine's, not yet closed.
-static inline ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
-  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
-}
 
 // The same of an edge above both horizons.
 static inline float3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
@@ -1790,189 +1633,245 @@ static inline float ltc_mean_length2(float3 sum, float count) {
   return dot(sum, sum) / max(count * count, 1.0);
 }
 
-// The edge sums of a polygon at signed distance h along its normal. Positive z behind it, negative
-// in front: there an outline that is counter-clockwise about the normal runs clockwise about
-// directions from the surface.
-static inline ltc_EdgeSums ltc_sum_edges(constant float4* polygon, float3 position,
-                                         ltc_Frame frame, ltc_Lobe lobe, float h) {
-  float s = ltc_apex_side(dot(frame.t2, ltc_polygon_normal(polygon)), h);
+// sum_edges for four corners above both horizons: nothing is cut.
+static inline ltc_EdgeSums ltc_sum_whole_quad(ltc_Corner a, ltc_Corner b, ltc_Corner c,
+                                              ltc_Corner d) {
   ltc_EdgeSums sums;
-  sums.diffuse = float3(0.0, 0.0, 0.0);
-  sums.specular = sums.diffuse;
-  float3 outline = sums.diffuse;
-  float corners = 0.0;
-  ltc_Corner a = ltc_corner_seen(polygon, 0, position, frame, lobe);
-  int count = ltc_polygon_point_count(polygon);
-  for (int i = 1; i < count; ++i) {
-    ltc_Corner b = ltc_corner_seen(polygon, i, position, frame, lobe);
-    if (!ltc_polygon_starts_ring(polygon, i)) {
-      sums.diffuse = sums.diffuse + ltc_diffuse_term(a, b, s);
-      sums.specular = sums.specular + ltc_specular_term(a, b, s);
-      outline = outline + b.o * b.inv_o;
-      corners = corners + 1.0;
-    }
-    a = b;
-  }
-  sums.outline2 = ltc_mean_length2(outline, corners);
-  return sums;
-}
-
-// Where the edge from a to b crosses the plane with unit normal `front`; heights: of its ends over that.
-static inline ltc_Corner ltc_corner_between(ltc_Corner a, ltc_Corner b, float a_height,
-                                            float b_height, float3 front, ltc_Lobe lobe) {
-  float3 p = a.p + (b.p - a.p) * ltc_crossing_place(a_height, b_height);
-  // What rounding made of a crossing that is nearer than the ends would turn the plane, which may cut
-  // right through a narrow lobe.
-  return ltc_corner_at(p - front * dot(front, p), lobe);
-}
-
-// a where the mask is set, b elsewhere.
-static inline ltc_Corner ltc_select_corner(bool m, ltc_Corner a, ltc_Corner b) {
-  ltc_Corner corner;
-  corner.p = m ? a.p : b.p;
-  corner.o = m ? a.o : b.o;
-  corner.inv_p = m ? a.inv_p : b.inv_p;
-  corner.inv_o = m ? a.inv_o : b.inv_o;
-  return corner;
-}
-
-// sum_edges of the polygon's part in front of the plane with unit normal `front` (shading space).
-// Where an edge crosses it, an edge along it leads to the first such crossing; see front.glsl.
-static inline ltc_EdgeSums ltc_sum_edges_in_front(constant float4* polygon, float3 position,
-                                                  ltc_Frame frame, ltc_Lobe lobe, float h,
-                                                  float3 front) {
-  float s = ltc_apex_side(dot(frame.t2, ltc_polygon_normal(polygon)), h);
-  float3 none = float3(0.0, 0.0, 0.0);
-  ltc_EdgeSums sums;
-  sums.diffuse = none;
-  sums.specular = none;
-  float3 outline = none;
-  float corners = 0.0;
-  ltc_Corner a = ltc_corner_seen(polygon, 0, position, frame, lobe);
-  ltc_Corner q = a;
-  bool found = false;
-  int count = ltc_polygon_point_count(polygon);
-  for (int i = 1; i < count; ++i) {
-    ltc_Corner b = ltc_corner_seen(polygon, i, position, frame, lobe);
-    if (!ltc_polygon_starts_ring(polygon, i)) {
-      outline = outline + b.o * b.inv_o;
-      corners = corners + 1.0;
-      float a_height = dot(front, a.p);
-      float b_height = dot(front, b.p);
-      bool a_seen = a_height >= 0.0;
-      bool b_seen = b_height >= 0.0;
-      if (a_seen || b_seen) {
-        ltc_Corner cut = ltc_corner_between(a, b, a_height, b_height, front, lobe);
-        ltc_Corner from = ltc_select_corner(a_seen, a, cut);
-        ltc_Corner to = ltc_select_corner(b_seen, b, cut);
-        sums.diffuse = sums.diffuse + (a_seen || b_seen ? ltc_diffuse_term(from, to, s) : none);
-        sums.specular = sums.specular + (a_seen || b_seen ? ltc_specular_term(from, to, s) : none);
-        bool crosses = a_seen != b_seen;
-        if (crosses) {
-          q = ltc_select_corner(!found, cut, q);
-          found = true;
-          float leaves = a_seen ? 1.0 : -1.0;
-          sums.diffuse = sums.diffuse + ltc_diffuse_term(cut, q, s) * leaves;
-          sums.specular = sums.specular + ltc_specular_term(cut, q, s) * leaves;
-        }
-      }
-    }
-    a = b;
-  }
-  sums.outline2 = ltc_mean_length2(outline, corners);
-  return sums;
-}
-
-// sum_edges of the polygon's part in front of the plane with unit normal `front` (shading space).
-// Where an edge crosses it, an edge along it leads to the first such crossing; see front.glsl.
-static inline ltc_EdgeSums ltc_quad_sum_edges_in_front(ltc_Quad quad, float3 position,
-                                                       ltc_Frame frame, ltc_Lobe lobe, float h,
-                                                       float3 front) {
-  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  float3 none = float3(0.0, 0.0, 0.0);
-  ltc_EdgeSums sums;
-  sums.diffuse = none;
-  sums.specular = none;
-  float3 outline = none;
-  float corners = 0.0;
-  ltc_Corner a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
-  ltc_Corner q = a;
-  bool found = false;
-  int count = 5;
-  for (int i = 1; i < count; ++i) {
-    ltc_Corner b = ltc_quad_corner_seen(quad, i, position, frame, lobe);
-    outline = outline + b.o * b.inv_o;
-    corners = corners + 1.0;
-    float a_height = dot(front, a.p);
-    float b_height = dot(front, b.p);
-    bool a_seen = a_height >= 0.0;
-    bool b_seen = b_height >= 0.0;
-    if (a_seen || b_seen) {
-      ltc_Corner cut = ltc_corner_between(a, b, a_height, b_height, front, lobe);
-      ltc_Corner from = ltc_select_corner(a_seen, a, cut);
-      ltc_Corner to = ltc_select_corner(b_seen, b, cut);
-      sums.diffuse = sums.diffuse + (a_seen || b_seen ? ltc_diffuse_term(from, to, s) : none);
-      sums.specular = sums.specular + (a_seen || b_seen ? ltc_specular_term(from, to, s) : none);
-      bool crosses = a_seen != b_seen;
-      if (crosses) {
-        q = ltc_select_corner(!found, cut, q);
-        found = true;
-        float leaves = a_seen ? 1.0 : -1.0;
-        sums.diffuse = sums.diffuse + ltc_diffuse_term(cut, q, s) * leaves;
-        sums.specular = sums.specular + ltc_specular_term(cut, q, s) * leaves;
-      }
-    }
-    a = b;
-  }
-  sums.outline2 = ltc_mean_length2(outline, corners);
-  return sums;
-}
-
-// The same with all corners above the surface's horizon in all lanes: nothing is cut but in cosine space.
-static inline ltc_EdgeSums ltc_sum_quad_above(ltc_Corner a, ltc_Corner b, ltc_Corner c,
-                                              ltc_Corner d, float s, float h, ltc_Lobe lobe) {
-  ltc_EdgeSums sums;
-  sums.outline2 = 0.0;
+  sums.outline2 = ltc_mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o,
+                                   4.0);
   sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
                  ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-  ltc_EdgeAbove to_c = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
-  ltc_EdgeAbove to_a = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
-  sums.specular = ltc_close_outline(ltc_join_edges(to_c, to_a), h * lobe.det);
+  sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
+                  ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
   return sums;
 }
 
-// sum_edges for four corners, which are seen once each.
-static inline ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, float3 position, ltc_Frame frame,
-                                              ltc_Lobe lobe, float h) {
+// ---- outline ------------------------------------------------------------------------------------
+//
+// The sum over a polygon's edges as one lane does it by itself, as in a shader: an edge is cut by one plane after
+// the other, and what nothing is left of is passed over by a branch. Code that is short and holds little at a time
+// is what counts there, so each edge begins anew with its two ends.
+//
+// Where an outline crosses a plane, what is left of it goes on in the plane. All its crossings lie on the straight
+// line in which the polygon's own plane meets this one, which a point that has a side of the polygon sees as less than
+// half a turn: so edges between each crossing and the first telescope, and outlines may be concave, or have holes. Such
+// an edge is then cut by the next plane like any other. Lanes, which all walk the same way, close at an apex instead,
+// a sum without a memory (edge.glsl).
+
+// What is summed along an outline, and where it first crossed each plane.
+struct ltc_OutlineSums {
+  float3 diffuse;   // 2 pi times the vector irradiance, shading space
+  float3 specular;  // the same in cosine space
+  float3 front;     // the first crossing of the triangle's plane, shading space
+  float3 horizon;   // of the surface's horizon, shading space
+  float3 cosine;    // and of the cosine's horizon, unit, cosine space
+  bool has_front;   // whether there was any
+  bool has_horizon; // whether there was any
+  bool has_cosine;  // whether there was any
+};
+
+// No edges yet.
+static inline ltc_OutlineSums ltc_no_outline() {
+  ltc_OutlineSums outline;
+  outline.diffuse = float3(0.0, 0.0, 0.0);
+  outline.specular = outline.diffuse;
+  outline.front = outline.diffuse;
+  outline.horizon = outline.diffuse;
+  outline.cosine = outline.diffuse;
+  outline.has_front = false;
+  outline.has_horizon = false;
+  outline.has_cosine = false;
+  return outline;
+}
+
+// The edge from a to b (cosine space), above the surface's horizon, cut by the cosine's, for the specular sum.
+static inline ltc_OutlineSums ltc_add_to_specular(ltc_OutlineSums outline, float3 a, float3 b) {
+  ltc_OutlineSums next = outline;
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  if (a_up || b_up) {
+    float3 from = a;
+    float3 to = b;
+    float3 along = b - a;
+    if (a_up != b_up) {
+      float t = ltc_crossing_place(a.z, b.z);
+      float3 cut = float3(a.x + along.x * t, a.y + along.y * t, 0.0);
+      float3 unit = cut * ltc_inverse_length(cut);
+      float leaves = 1.0;
+      if (a_up) {
+        to = cut;
+        along = along * t;
+      } else {
+        from = cut;
+        along = along * (1.0 - t);
+        leaves = -1.0;
+      }
+      if (outline.has_cosine) {
+        float angle = ltc_angle_of_unit(dot(unit, outline.cosine),
+                                        unit.x * outline.cosine.y - unit.y * outline.cosine.x);
+        next.specular.z = next.specular.z + angle * leaves;
+      } else {
+        next.cosine = unit;
+        next.has_cosine = true;
+      }
+    }
+    next.specular = next.specular + ltc_edge_term(from, to, along);
+  }
+  return next;
+}
+
+// The edge from a to b (shading space), cut by both horizons, for both sums.
+static inline ltc_OutlineSums ltc_add_to_outline(ltc_OutlineSums outline, float3 a, float3 b,
+                                                 ltc_Lobe lobe) {
+  ltc_OutlineSums next = outline;
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  float3 from = a;
+  float3 to = b;
+  int parts = a_up || b_up ? 1 : 0;
+  if (a_up != b_up) {
+    float t = ltc_crossing_place(a.z, b.z);
+    float3 cut = float3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
+    if (a_up) {
+      to = cut;
+    } else {
+      from = cut;
+    }
+    if (outline.has_horizon) {
+      parts = 2;
+    } else {
+      next.horizon = cut;
+      next.has_horizon = true;
+    }
+  }
+  for (int i = 0; i < parts; ++i) {
+    next.diffuse = next.diffuse + ltc_edge_term(from, to, to - from);
+    next = ltc_add_to_specular(next, ltc_to_cosine(lobe, from), ltc_to_cosine(lobe, to));
+    // What joins the crossing to the first.
+    if (a_up) {
+      from = to;
+      to = outline.horizon;
+    } else {
+      to = from;
+      from = outline.horizon;
+    }
+  }
+  return next;
+}
+
+// The same, with `cut` cut before all else by the plane of the triangle, whose unit normal in shading space is
+// `front`.
+static inline ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, float3 a, float3 b,
+                                               ltc_Lobe lobe, bool cut, float3 front) {
+  ltc_OutlineSums next = outline;
+  float3 from = a;
+  float3 to = b;
+  bool a_seen = true;
+  int parts = 1;
+  if (cut) {
+    float a_height = dot(front, a);
+    float b_height = dot(front, b);
+    a_seen = a_height >= 0.0;
+    bool b_seen = b_height >= 0.0;
+    parts = a_seen || b_seen ? 1 : 0;
+    if (a_seen != b_seen) {
+      float3 crossing = a + (b - a) * ltc_crossing_place(a_height, b_height);
+      // See corner_between.
+      crossing = crossing - front * dot(front, crossing);
+      if (a_seen) {
+        to = crossing;
+      } else {
+        from = crossing;
+      }
+      if (outline.has_front) {
+        parts = 2;
+      } else {
+        next.front = crossing;
+        next.has_front = true;
+      }
+    }
+  }
+  for (int i = 0; i < parts; ++i) {
+    next = ltc_add_to_outline(next, from, to, lobe);
+    if (a_seen) {
+      from = to;
+      to = outline.front;
+    } else {
+      to = from;
+      from = outline.front;
+    }
+  }
+  return next;
+}
+
+// sum_edges in one lane, and with `cut` of what is in front of the plane with unit normal `front`, shading space.
+static inline ltc_EdgeSums ltc_sum_edges_in_one_lane(constant float4* polygon, float3 position,
+                                                     ltc_Frame frame, ltc_Lobe lobe, bool cut,
+                                                     float3 front) {
+  ltc_OutlineSums outline = ltc_no_outline();
+  float3 corners = outline.diffuse;
+  float corner_count = 0.0;
+  float3 a = ltc_to_shading(frame, ltc_polygon_point(polygon, 0) - position);
+  int count = ltc_polygon_point_count(polygon);
+  for (int i = 1; i < count; ++i) {
+    float3 b = ltc_to_shading(frame, ltc_polygon_point(polygon, i) - position);
+    if (!ltc_polygon_starts_ring(polygon, i)) {
+      float3 o = ltc_to_cosine(lobe, b);
+      corners = corners + o * ltc_inverse_length(o);
+      corner_count = corner_count + 1.0;
+      outline = ltc_add_in_front(outline, a, b, lobe, cut, front);
+    }
+    a = b;
+  }
+  ltc_EdgeSums sums;
+  sums.diffuse = outline.diffuse;
+  sums.specular = outline.specular;
+  sums.outline2 = ltc_mean_length2(corners, corner_count);
+  return sums;
+}
+
+// sum_edges in one lane, and with `cut` of what is in front of the plane with unit normal `front`, shading space.
+static inline ltc_EdgeSums ltc_quad_sum_edges_in_one_lane(ltc_Quad quad, float3 position,
+                                                          ltc_Frame frame, ltc_Lobe lobe,
+                                                          bool cut, float3 front) {
+  ltc_OutlineSums outline = ltc_no_outline();
+  float3 corners = outline.diffuse;
+  float corner_count = 0.0;
+  float3 a = ltc_to_shading(frame, ltc_quad_point(quad, 0) - position);
+  int count = 5;
+  for (int i = 1; i < count; ++i) {
+    float3 b = ltc_to_shading(frame, ltc_quad_point(quad, i) - position);
+    float3 o = ltc_to_cosine(lobe, b);
+    corners = corners + o * ltc_inverse_length(o);
+    corner_count = corner_count + 1.0;
+    outline = ltc_add_in_front(outline, a, b, lobe, cut, front);
+    a = b;
+  }
+  ltc_EdgeSums sums;
+  sums.diffuse = outline.diffuse;
+  sums.specular = outline.specular;
+  sums.outline2 = ltc_mean_length2(corners, corner_count);
+  return sums;
+}
+
+// The same of a quad, most of which are above both horizons and the triangle's plane.
+static inline ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 position,
+                                                    ltc_Frame frame, ltc_Lobe lobe, bool cut,
+                                                    float3 front) {
   ltc_Corner a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
   ltc_Corner b = ltc_quad_corner_seen(quad, 1, position, frame, lobe);
   ltc_Corner c = ltc_quad_corner_seen(quad, 2, position, frame, lobe);
   ltc_Corner d = ltc_quad_corner_seen(quad, 3, position, frame, lobe);
   float lowest = min(min(ltc_least_height(a), ltc_least_height(b)),
                      min(ltc_least_height(c), ltc_least_height(d)));
-  ltc_EdgeSums sums;
-  float outline2 = ltc_mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o,
-                                    4.0);
-  // Uniform shortcut: no lane has anything to clip.
+  if (cut) {
+    lowest = min(lowest,
+                 min(min(dot(front, a.p), dot(front, b.p)), min(dot(front, c.p), dot(front, d.p))));
+  }
   if (lowest >= 0.0) {
-    sums.outline2 = outline2;
-    sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
-                   ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-    sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
-                    ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
-    return sums;
+    return ltc_sum_whole_quad(a, b, c, d);
   }
-  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  if (min(min(a.p.z, b.p.z), min(c.p.z, d.p.z)) >= 0.0) {
-    sums = ltc_sum_quad_above(a, b, c, d, s, h, lobe);
-  } else {
-    sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) +
-                   ltc_diffuse_term(c, d, s) + ltc_diffuse_term(d, a, s);
-    sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
-                    ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
-  }
-  sums.outline2 = outline2;
-  return sums;
+  return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, cut, front);
 }
 
 // ---- polygon ------------------------------------------------------------------------------------
@@ -2068,15 +1967,39 @@ static inline float ltc_quad_lit_side(ltc_Quad quad, float h, float3 to_origin) 
   return ltc_lies_in_plane(h, to_origin, 0.0) ? 0.0 : side;
 }
 
+// A polygon as a point sees it, for its small form; side: see lit_side.
+static inline ltc_SmallPolygon ltc_small_polygon(constant float4* polygon, float3 center,
+                                                 ltc_Frame frame, float h, float side) {
+  ltc_SmallPolygon small;
+  small.center = center;
+  small.u = ltc_to_shading(frame, ltc_polygon_spread_u(polygon));
+  small.v = ltc_to_shading(frame, ltc_polygon_spread_v(polygon));
+  small.area_height = ltc_polygon_area(polygon) * abs(h) * abs(side);
+  return small;
+}
+
+// A polygon as a point sees it, for its small form; side: see lit_side.
+static inline ltc_SmallPolygon ltc_small_quad(ltc_Quad quad, float3 center, ltc_Frame frame,
+                                              float h, float side) {
+  ltc_SmallPolygon small;
+  small.center = center;
+  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
+  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
+  small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
+  return small;
+}
+
 // Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 // behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
-// last digit asks has_side (surface.glsl) as well.
+// last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
+// unit normal `front` (shading space).
 //
 // The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
 // is the integral; the direction is the mean direction of the part of the polygon that counts,
 // and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
-static inline ltc_LightIntegral ltc_integrate_polygon(constant float4* polygon, float3 position,
-                                                      ltc_Frame frame, ltc_Lobe lobe) {
+static inline ltc_LightIntegral ltc_integrate_polygon_part(constant float4* polygon,
+                                                           float3 position, ltc_Frame frame,
+                                                           ltc_Lobe lobe, bool cut, float3 front) {
   float3 normal = ltc_polygon_normal(polygon);
   float3 to_origin = ltc_polygon_origin(polygon) - position;
   float h = dot(to_origin, normal);
@@ -2092,6 +2015,12 @@ static inline ltc_LightIntegral ltc_integrate_polygon(constant float4* polygon, 
     center = ltc_to_shading(frame, to_center);
     exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
     exact_specular = ltc_polygon_exactness(center, radius, lobe);
+    // What the plane may cut is summed by its edges, however small.
+    if (cut) {
+      bool in_front = dot(front, center) > radius;
+      exact_diffuse = in_front ? exact_diffuse : 1.0;
+      exact_specular = in_front ? exact_specular : 1.0;
+    }
   }
 
   ltc_EdgeSums sums;
@@ -2101,16 +2030,12 @@ static inline ltc_LightIntegral ltc_integrate_polygon(constant float4* polygon, 
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   bool lit = side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_edges(polygon, position, frame, lobe, h);
+    sums = ltc_sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }
   if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    ltc_SmallPolygon small;
-    small.center = center;
-    small.u = ltc_to_shading(frame, ltc_polygon_spread_u(polygon));
-    small.v = ltc_to_shading(frame, ltc_polygon_spread_v(polygon));
-    small.area_height = ltc_polygon_area(polygon) * abs(h) * abs(side);
+    ltc_SmallPolygon small = ltc_small_polygon(polygon, center, frame, h, side);
     float3 none = float3(0.0, 0.0, 0.0);
     sums.diffuse = sums.diffuse +
                    (exact_diffuse < 1.0 ?
@@ -2125,13 +2050,15 @@ static inline ltc_LightIntegral ltc_integrate_polygon(constant float4* polygon, 
 
 // Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 // behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
-// last digit asks has_side (surface.glsl) as well.
+// last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
+// unit normal `front` (shading space).
 //
 // The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
 // is the integral; the direction is the mean direction of the part of the polygon that counts,
 // and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
-static inline ltc_LightIntegral ltc_integrate_quad(ltc_Quad quad, float3 position,
-                                                   ltc_Frame frame, ltc_Lobe lobe) {
+static inline ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, float3 position,
+                                                        ltc_Frame frame, ltc_Lobe lobe, bool cut,
+                                                        float3 front) {
   float3 normal = ltc_quad_normal(quad);
   float3 to_origin = ltc_quad_origin(quad) - position;
   float h = dot(to_origin, normal);
@@ -2147,6 +2074,12 @@ static inline ltc_LightIntegral ltc_integrate_quad(ltc_Quad quad, float3 positio
     center = ltc_to_shading(frame, to_center);
     exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
     exact_specular = ltc_polygon_exactness(center, radius, lobe);
+    // What the plane may cut is summed by its edges, however small.
+    if (cut) {
+      bool in_front = dot(front, center) > radius;
+      exact_diffuse = in_front ? exact_diffuse : 1.0;
+      exact_specular = in_front ? exact_specular : 1.0;
+    }
   }
 
   ltc_EdgeSums sums;
@@ -2156,16 +2089,12 @@ static inline ltc_LightIntegral ltc_integrate_quad(ltc_Quad quad, float3 positio
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   bool lit = side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_edges(quad, position, frame, lobe, h);
+    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, cut, front);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }
   if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    ltc_SmallPolygon small;
-    small.center = center;
-    small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
-    small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
-    small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
+    ltc_SmallPolygon small = ltc_small_quad(quad, center, frame, h, side);
     float3 none = float3(0.0, 0.0, 0.0);
     sums.diffuse = sums.diffuse +
                    (exact_diffuse < 1.0 ?
@@ -2174,68 +2103,6 @@ static inline ltc_LightIntegral ltc_integrate_quad(ltc_Quad quad, float3 positio
                     (exact_specular < 1.0 ?
                      ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
   }
-  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
-                            ltc_small_outline2(sums, exact_specular));
-}
-
-// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
-// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
-static inline ltc_LightIntegral ltc_integrate_polygon_in_front(constant float4* polygon,
-                                                               float3 position, ltc_Frame frame,
-                                                               ltc_Lobe lobe, float3 front) {
-  float3 to_origin = ltc_polygon_origin(polygon) - position;
-  float h = dot(to_origin, ltc_polygon_normal(polygon));
-  float side = ltc_lit_side(polygon, h, to_origin);
-  ltc_SmallPolygon small;
-  small.center = ltc_to_shading(frame, ltc_polygon_centroid(polygon) - position);
-  small.u = ltc_to_shading(frame, ltc_polygon_spread_u(polygon));
-  small.v = ltc_to_shading(frame, ltc_polygon_spread_v(polygon));
-  small.area_height = ltc_polygon_area(polygon) * abs(h) * abs(side);
-  // What the plane may cut is summed by its edges, however small.
-  float radius = ltc_polygon_radius(polygon);
-  bool in_front = dot(front, small.center) > radius;
-  float exact_diffuse = in_front ? ltc_polygon_exactness(small.center, radius, ltc_cosine_lobe()) :
-                        1.0;
-  float exact_specular = in_front ? ltc_polygon_exactness(small.center, radius, lobe) : 1.0;
-  ltc_EdgeSums sums = ltc_sum_edges_in_front(polygon, position, frame, lobe, h, front);
-  float3 none = float3(0.0, 0.0, 0.0);
-  float3 small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
-  float3 small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
-  sums.diffuse = sums.diffuse * (side * exact_diffuse) +
-                 (exact_diffuse < 1.0 ? small_diffuse : none);
-  sums.specular = sums.specular * (side * exact_specular) +
-                  (exact_specular < 1.0 ? small_specular : none);
-  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
-                            ltc_small_outline2(sums, exact_specular));
-}
-
-// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
-// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
-static inline ltc_LightIntegral ltc_integrate_quad_in_front(ltc_Quad quad, float3 position,
-                                                            ltc_Frame frame, ltc_Lobe lobe,
-                                                            float3 front) {
-  float3 to_origin = ltc_quad_origin(quad) - position;
-  float h = dot(to_origin, ltc_quad_normal(quad));
-  float side = ltc_quad_lit_side(quad, h, to_origin);
-  ltc_SmallPolygon small;
-  small.center = ltc_to_shading(frame, ltc_quad_centroid(quad) - position);
-  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
-  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
-  small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
-  // What the plane may cut is summed by its edges, however small.
-  float radius = ltc_quad_radius(quad);
-  bool in_front = dot(front, small.center) > radius;
-  float exact_diffuse = in_front ? ltc_polygon_exactness(small.center, radius, ltc_cosine_lobe()) :
-                        1.0;
-  float exact_specular = in_front ? ltc_polygon_exactness(small.center, radius, lobe) : 1.0;
-  ltc_EdgeSums sums = ltc_quad_sum_edges_in_front(quad, position, frame, lobe, h, front);
-  float3 none = float3(0.0, 0.0, 0.0);
-  float3 small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
-  float3 small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
-  sums.diffuse = sums.diffuse * (side * exact_diffuse) +
-                 (exact_diffuse < 1.0 ? small_diffuse : none);
-  sums.specular = sums.specular * (side * exact_specular) +
-                  (exact_specular < 1.0 ? small_specular : none);
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
 }
@@ -2269,56 +2136,31 @@ static inline ltc_Heights ltc_quad_heights(ltc_Quad quad, float3 position, float
   return heights;
 }
 
-// Whether the plane of some lane's triangle may cut a polygon.
-static inline bool ltc_triangle_may_cut(ltc_Surface s, constant float4* polygon) {
-  return s.tilted &&
-         dot(s.geometric, ltc_polygon_centroid(polygon) - s.position) < ltc_polygon_radius(polygon);
-}
-
-// Whether the plane of some lane's triangle may cut a polygon.
-static inline bool ltc_quad_triangle_may_cut(ltc_Surface s, ltc_Quad quad) {
-  return s.tilted && dot(s.geometric, ltc_quad_centroid(quad) - s.position) < ltc_quad_radius(quad);
-}
-
 // ---- polygon surface ----------------------------------------------------------------------------
 //
 // A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
 // GGX itself, along the same edges (half_vector.glsl).
 
-// The integral where no triangle's plane cuts the polygon.
-static inline ltc_LightIntegral ltc_whole_polygon_integral(ltc_Surface s,
-                                                           constant float4* polygon) {
-  ltc_LightIntegral integral = ltc_integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+// Both in one lane, which passes over what it does not need.
+static inline ltc_LightIntegral ltc_polygon_integral_in_one_lane(ltc_Surface s,
+                                                                 constant float4* polygon) {
+  float3 front = ltc_front_shading(s);
+  ltc_LightIntegral integral = ltc_integrate_polygon_part(polygon, s.position, s.frame,
+                                                          s.fitted.lobe, s.tilted, front);
+  if (s.tilted) {
+    integral = ltc_unless_hidden(s, ltc_polygon_heights(polygon, s.position, s.geometric), integral);
+  }
   return ltc_unless_in_plane(s, ltc_polygon_origin(polygon), ltc_polygon_normal(polygon), integral);
 }
 
-// The integral where no triangle's plane cuts the polygon.
-static inline ltc_LightIntegral ltc_whole_quad_integral(ltc_Surface s, ltc_Quad quad) {
-  ltc_LightIntegral integral = ltc_integrate_quad(quad, s.position, s.frame, s.fitted.lobe);
-  return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
-}
-
-// The integral where triangle_may_cut, which most groups need not carry along.
-static inline ltc_LightIntegral ltc_cut_polygon_integral(ltc_Surface s, constant float4* polygon) {
-  ltc_Heights heights = ltc_polygon_heights(polygon, s.position, s.geometric);
-  if (heights.low >= 0.0) {
-    return ltc_whole_polygon_integral(s, polygon);
+// Both in one lane, which passes over what it does not need.
+static inline ltc_LightIntegral ltc_quad_integral_in_one_lane(ltc_Surface s, ltc_Quad quad) {
+  float3 front = ltc_front_shading(s);
+  ltc_LightIntegral integral = ltc_integrate_quad_part(quad, s.position, s.frame, s.fitted.lobe,
+                                                       s.tilted, front);
+  if (s.tilted) {
+    integral = ltc_unless_hidden(s, ltc_quad_heights(quad, s.position, s.geometric), integral);
   }
-  ltc_LightIntegral integral = ltc_integrate_polygon_in_front(polygon, s.position, s.frame,
-                                                              s.fitted.lobe, ltc_front_shading(s));
-  integral = ltc_unless_hidden(s, heights, integral);
-  return ltc_unless_in_plane(s, ltc_polygon_origin(polygon), ltc_polygon_normal(polygon), integral);
-}
-
-// The integral where triangle_may_cut, which most groups need not carry along.
-static inline ltc_LightIntegral ltc_cut_quad_integral(ltc_Surface s, ltc_Quad quad) {
-  ltc_Heights heights = ltc_quad_heights(quad, s.position, s.geometric);
-  if (heights.low >= 0.0) {
-    return ltc_whole_quad_integral(s, quad);
-  }
-  ltc_LightIntegral integral = ltc_integrate_quad_in_front(quad, s.position, s.frame, s.fitted.lobe,
-                                                           ltc_front_shading(s));
-  integral = ltc_unless_hidden(s, heights, integral);
   return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
 }
 
@@ -2326,19 +2168,13 @@ static inline ltc_LightIntegral ltc_cut_quad_integral(ltc_Surface s, ltc_Quad qu
 // without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
 static inline ltc_LightIntegral ltc_surface_polygon_integral(ltc_Surface s,
                                                              constant float4* polygon) {
-  if (ltc_triangle_may_cut(s, polygon)) {
-    return ltc_cut_polygon_integral(s, polygon);
-  }
-  return ltc_whole_polygon_integral(s, polygon);
+  return ltc_polygon_integral_in_one_lane(s, polygon);
 }
 
 // The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
 // without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
 static inline ltc_LightIntegral ltc_surface_quad_integral(ltc_Surface s, ltc_Quad quad) {
-  if (ltc_quad_triangle_may_cut(s, quad)) {
-    return ltc_cut_quad_integral(s, quad);
-  }
-  return ltc_whole_quad_integral(s, quad);
+  return ltc_quad_integral_in_one_lane(s, quad);
 }
 
 // Light that a surface reflects of a polygon of radiance 1, without shadow.
@@ -2355,20 +2191,14 @@ static inline ltc_ShadedLight ltc_shade_quad_parts(ltc_Surface s, ltc_Quad quad)
 // Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
 // these, each copies the surface, 3 % of a quad's instructions.
 static inline float3 ltc_shade_polygon(ltc_Surface s, constant float4* polygon) {
-  if (ltc_triangle_may_cut(s, polygon)) {
-    return ltc_both_parts(ltc_shade_integral(s, ltc_cut_polygon_integral(s, polygon)));
-  }
-  return ltc_both_parts(ltc_shade_integral(s, ltc_whole_polygon_integral(s, polygon)));
+  return ltc_both_parts(ltc_shade_integral(s, ltc_polygon_integral_in_one_lane(s, polygon)));
 }
 
 // Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
 // Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
 // these, each copies the surface, 3 % of a quad's instructions.
 static inline float3 ltc_shade_quad(ltc_Surface s, ltc_Quad quad) {
-  if (ltc_quad_triangle_may_cut(s, quad)) {
-    return ltc_both_parts(ltc_shade_integral(s, ltc_cut_quad_integral(s, quad)));
-  }
-  return ltc_both_parts(ltc_shade_integral(s, ltc_whole_quad_integral(s, quad)));
+  return ltc_both_parts(ltc_shade_integral(s, ltc_quad_integral_in_one_lane(s, quad)));
 }
 
 // ---- ellipse ------------------------------------------------------------------------------------

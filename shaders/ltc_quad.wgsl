@@ -74,60 +74,6 @@ const ltc_k_tiny: f32 = 1.0e-30;
 // 1e11 each, and an inverse sine, at most 1e15, stays finite.
 const ltc_k_least_length2: f32 = 1.0e-22;
 
-// ---- polynomial coefficients --------------------------------------------------------------------
-
-// Total degree of the polynomials in both variables.
-const ltc_k_polynomial_degree: i32 = 4;
-
-// Coefficients of A, B, C and D, a term a row.
-const ltc_k_polynomial_mirror = array<vec4f, 15>(
-    vec4f(0.6677733, -0.2839807, 0.6423568, 1.097253),
-    vec4f(0.03543778, -0.3508565, 0.1513957, -0.25154),
-    vec4f(-0.03947054, -0.01649081, 0.03640917, -0.1250094),
-    vec4f(-0.03788963, 0.06603108, -0.1000224, -0.02221692),
-    vec4f(-0.01275793, 0.02818707, 0.01359907, 0.008370275),
-    vec4f(-0.4390807, -0.2865121, 0.6107541, -0.8337397),
-    vec4f(0.04532699, -0.3207448, 0.2106151, 0.2377783),
-    vec4f(-0.04185048, 0.00981988, -0.07275826, 0.07755067),
-    vec4f(-0.04465733, 0.06849372, 0.015033, 0.002158859),
-    vec4f(-0.1106452, 0.009666363, 0.09600891, -0.2100363),
-    vec4f(0.01206078, 0.03199834, -0.1940915, 0.05398509),
-    vec4f(-0.009938524, 0.0348854, 0.110808, 0.01473734),
-    vec4f(0.001470969, 0.006227979, -0.03764246, -0.0002229243),
-    vec4f(-0.0001330755, 0.007741617, 0.05895613, -0.001076636),
-    vec4f(0.002074114, -0.001229983, 0.009980159, 0.00201469));
-
-// And of n1 and s.
-const ltc_k_polynomial_amplitudes = array<vec2f, 15>(
-    vec2f(0.8045086, 0.343843),
-    vec2f(-0.2724648, -0.05521916),
-    vec2f(-0.07661926, 0.02603711),
-    vec2f(0.008226918, -0.009146704),
-    vec2f(0.01169145, -0.001905162),
-    vec2f(0.07112518, 0.363317),
-    vec2f(0.1375234, -0.135376),
-    vec2f(0.07787056, -0.05730146),
-    vec2f(-0.003416058, 0.03913193),
-    vec2f(0.04123044, 0.04581396),
-    vec2f(0.07066337, -0.0722363),
-    vec2f(0.02702755, 0.05455893),
-    vec2f(0.01748315, 0.01933991),
-    vec2f(0.03402566, 0.01176714),
-    vec2f(0.008494951, -0.01617918));
-
-// ---- polynomial data ----------------------------------------------------------------------------
-//
-// Coefficients of the fitted lobe as constants: no texture.
-
-// Total degree in both variables.
-fn ltc_lobe_polynomial_degree() -> i32 { return ltc_k_polynomial_degree; }
-
-// A B C D of a term.
-fn ltc_lobe_polynomial_mirror(term: i32) -> vec4f { return ltc_k_polynomial_mirror[term]; }
-
-// n1 and s of a term.
-fn ltc_lobe_polynomial_amplitudes(term: i32) -> vec2f { return ltc_k_polynomial_amplitudes[term]; }
-
 // ---- quad data ----------------------------------------------------------------------------------
 //
 // A light of four corners, known by its middle.
@@ -460,6 +406,55 @@ fn ltc_specular_amplitude(fitted: ltc_FittedLobe, f0: vec3f, f90: vec3f) -> vec3
 // The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
 // smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
+// What the terms of the first lobe and of the amplitudes add up to.
+struct ltc_LobePolynomialSum {
+  mirror: vec4f,     // A B C D
+  amplitudes: vec2f, // n1 s
+}
+
+// At u and v, see above.
+fn ltc_sum_lobe_polynomial(u: f32, v: f32) -> ltc_LobePolynomialSum {
+  // Chebyshev's polynomials: un is T_n(u), vn is T_n(v).
+  let u2 = 2.0 * u * u - 1.0;
+  let u3 = 2.0 * u * u2 - u;
+  let u4 = 2.0 * u * u3 - u2;
+  let v2 = 2.0 * v * v - 1.0;
+  let v3 = 2.0 * v * v2 - v;
+  let v4 = 2.0 * v * v3 - v2;
+  var sum: ltc_LobePolynomialSum;
+  sum.mirror = vec4f(0.6677733, -0.2839807, 0.6423568, 1.097253);
+  sum.mirror = sum.mirror + vec4f(0.03543778, -0.3508565, 0.1513957, -0.25154) * u;
+  sum.mirror = sum.mirror + vec4f(-0.03947054, -0.01649081, 0.03640917, -0.1250094) * u2;
+  sum.mirror = sum.mirror + vec4f(-0.03788963, 0.06603108, -0.1000224, -0.02221692) * u3;
+  sum.mirror = sum.mirror + vec4f(-0.01275793, 0.02818707, 0.01359907, 0.008370275) * u4;
+  sum.mirror = sum.mirror + vec4f(-0.4390807, -0.2865121, 0.6107541, -0.8337397) * v;
+  sum.mirror = sum.mirror + vec4f(0.04532699, -0.3207448, 0.2106151, 0.2377783) * (u * v);
+  sum.mirror = sum.mirror + vec4f(-0.04185048, 0.00981988, -0.07275826, 0.07755067) * (u2 * v);
+  sum.mirror = sum.mirror + vec4f(-0.04465733, 0.06849372, 0.015033, 0.002158859) * (u3 * v);
+  sum.mirror = sum.mirror + vec4f(-0.1106452, 0.009666363, 0.09600891, -0.2100363) * v2;
+  sum.mirror = sum.mirror + vec4f(0.01206078, 0.03199834, -0.1940915, 0.05398509) * (u * v2);
+  sum.mirror = sum.mirror + vec4f(-0.009938524, 0.0348854, 0.110808, 0.01473734) * (u2 * v2);
+  sum.mirror = sum.mirror + vec4f(0.001470969, 0.006227979, -0.03764246, -0.0002229243) * v3;
+  sum.mirror = sum.mirror + vec4f(-0.0001330755, 0.007741617, 0.05895613, -0.001076636) * (u * v3);
+  sum.mirror = sum.mirror + vec4f(0.002074114, -0.001229983, 0.009980159, 0.00201469) * v4;
+  sum.amplitudes = vec2f(0.8045086, 0.343843);
+  sum.amplitudes = sum.amplitudes + vec2f(-0.2724648, -0.05521916) * u;
+  sum.amplitudes = sum.amplitudes + vec2f(-0.07661926, 0.02603711) * u2;
+  sum.amplitudes = sum.amplitudes + vec2f(0.008226918, -0.009146704) * u3;
+  sum.amplitudes = sum.amplitudes + vec2f(0.01169145, -0.001905162) * u4;
+  sum.amplitudes = sum.amplitudes + vec2f(0.07112518, 0.363317) * v;
+  sum.amplitudes = sum.amplitudes + vec2f(0.1375234, -0.135376) * (u * v);
+  sum.amplitudes = sum.amplitudes + vec2f(0.07787056, -0.05730146) * (u2 * v);
+  sum.amplitudes = sum.amplitudes + vec2f(-0.003416058, 0.03913193) * (u3 * v);
+  sum.amplitudes = sum.amplitudes + vec2f(0.04123044, 0.04581396) * v2;
+  sum.amplitudes = sum.amplitudes + vec2f(0.07066337, -0.0722363) * (u * v2);
+  sum.amplitudes = sum.amplitudes + vec2f(0.02702755, 0.05455893) * (u2 * v2);
+  sum.amplitudes = sum.amplitudes + vec2f(0.01748315, 0.01933991) * v3;
+  sum.amplitudes = sum.amplitudes + vec2f(0.03402566, 0.01176714) * (u * v3);
+  sum.amplitudes = sum.amplitudes + vec2f(0.008494951, -0.01617918) * v4;
+  return sum;
+}
+
 // The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
 // values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
 // M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
@@ -468,38 +463,12 @@ fn ltc_eval_lobe_polynomial_of_width(alpha: f32, width: f32, cos_theta: f32) -> 
   let c = min(max(cos_theta, 0.0), 1.0);
   let u = 2.0 * sqrt(a) - 1.0;
   let v = 2.0 * sqrt(1.0 - c) - 1.0;
-  let u_twice = u + u;
-  let v_twice = v + v;
-
-  // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
-  // at T_j(v) instead of 1. All channels share it.
-  let degree = ltc_lobe_polynomial_degree();
-  var abcd = vec4f(0.0, 0.0, 0.0, 0.0);
-  var amplitudes = vec2f(0.0, 0.0);
-  var t_v = 1.0;
-  var t_v_before = v;
-  var term = 0;
-  for (var j = 0; j <= degree; j++) {
-    var product = t_v;
-    var product_before = u * t_v;
-    for (var i = 0; i <= degree - j; i++) {
-      abcd = abcd + ltc_lobe_polynomial_mirror(term) * product;
-      amplitudes = amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
-      let next = u_twice * product - product_before;
-      product_before = product;
-      product = next;
-      term++;
-    }
-    let t_v_next = v_twice * t_v - t_v_before;
-    t_v_before = t_v;
-    t_v = t_v_next;
-  }
-
+  let sum = ltc_sum_lobe_polynomial(u, v);
   var fitted: ltc_FittedLobe;
-  fitted.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  fitted.lobe = ltc_lobe_from_mirror(sum.mirror, min(max(width, ltc_k_min_alpha), 1.0), c);
   fitted.lobe.det = max(fitted.lobe.det, ltc_k_tiny);
-  fitted.n1 = max(amplitudes.x, 0.0);
-  let s = min(max(amplitudes.y, 0.0), 1.0);
+  fitted.n1 = max(sum.amplitudes.x, 0.0);
+  let s = min(max(sum.amplitudes.y, 0.0), 1.0);
   let s2 = s * s;
   fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;
@@ -571,16 +540,6 @@ fn ltc_any_over_sin(x: f32, sin2: f32, acute: f32) -> f32 {
   return select(acute, ltc_k_pi * inv_sin - acute, x < 0.0);
 }
 
-// theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
-fn ltc_theta_over_sin(x: f32, sin2: f32) -> f32 {
-  let acute = ltc_acute_over_sin(x);
-  // Uniform shortcut: no lane's angle is beyond a right one.
-  if (!(x < 0.0)) {
-    return acute;
-  }
-  return ltc_any_over_sin(x, sin2, acute);
-}
-
 // Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
 // itself so that the cross product of a small, far edge does not cancel. Never longer than pi: a
 // vector over its length, times an angle.
@@ -597,11 +556,9 @@ fn ltc_edge_term_scaled(a: vec3f, b: vec3f, d: vec3f, inv_a: f32, inv_b: f32) ->
   return c * (scale * weight);
 }
 
-// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
-fn ltc_apex_term(p: vec3f, inv_p: f32, s: f32) -> vec3f {
-  let u = p * inv_p;
-  let weight = s * ltc_theta_over_sin(s * u.y, u.x * u.x + u.z * u.z);
-  return vec3f(-weight * u.z, 0.0, weight * u.x);
+// edge_term_scaled, which finds the inverse lengths of a and b by itself.
+fn ltc_edge_term(a: vec3f, b: vec3f, d: vec3f) -> vec3f {
+  return ltc_edge_term_scaled(a, b, d, ltc_inverse_length(a), ltc_inverse_length(b));
 }
 
 // Where an edge crosses a plane, in units of the edge, 0..1; a, b: heights of its ends, of which one is
@@ -611,152 +568,11 @@ fn ltc_crossing_place(a: f32, b: f32) -> f32 {
   return min(abs(a) * (1.0 / max(abs(a) + abs(b), ltc_k_tiny)), 1.0);
 }
 
-// The part of an edge above a plane, in units of the edge; whole where both ends are above.
-struct ltc_Span {
-  t0: f32, // where it begins, 0..1
-  t1: f32, // where it ends, 0..1
-}
-
-// a, b: heights of the ends, of which one at least is not below.
-fn ltc_span_above(a: f32, b: f32) -> ltc_Span {
-  let t = ltc_crossing_place(a, b);
-  var span: ltc_Span;
-  span.t0 = select(0.0, t, a < 0.0);
-  span.t1 = select(1.0, t, b < 0.0);
-  return span;
-}
-
-// What is left of an edge within the wedge.
-struct ltc_ClippedEdge {
-  p0: vec3f,     // cosine space
-  p1: vec3f,     // its end; p0 is its beginning
-  extent: f32,   // in units of the edge
-  outside: bool, // whether nothing is left
-}
-
-// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
-fn ltc_clip_edge(a_o: vec3f, b_o: vec3f, a_z: f32, b_z: f32) -> ltc_ClippedEdge {
-  let surface = ltc_span_above(a_z, b_z);
-  let cosine = ltc_span_above(a_o.z, b_o.z);
-  let t0 = max(surface.t0, cosine.t0);
-  let t1 = min(surface.t1, cosine.t1);
-  var edge: ltc_ClippedEdge;
-  // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
-  // length left but still opens or closes the outline there.
-  edge.outside = (a_z < 0.0 && b_z < 0.0) || (a_o.z < 0.0 && b_o.z < 0.0) || t0 > t1;
-  let d = b_o - a_o;
-  edge.p0 = a_o + d * t0;
-  edge.p1 = a_o + d * t1;
-  edge.extent = t1 - t0;
-  // A point cut at the cosine's horizon lies on it: seen near the apex, what rounding leaves of its
-  // height would tilt the arc that closes.
-  edge.p0.z = select(max(edge.p0.z, 0.0), 0.0, cosine.t0 > surface.t0);
-  edge.p1.z = select(max(edge.p1.z, 0.0), 0.0, cosine.t1 < surface.t1);
-  return edge;
-}
-
 // Angle of a unit vector (c, s) from (1, 0), -pi..pi.
 fn ltc_angle_of_unit(c: f32, s: f32) -> f32 {
   let acute = s * ltc_acute_over_sin(c);
   let half_turn = select(ltc_k_pi, -ltc_k_pi, s < 0.0);
   return select(acute, half_turn - acute, c < 0.0);
-}
-
-// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
-// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
-// counts as it is.
-struct ltc_EdgeAbove {
-  term: vec3f,   // its contribution to the vector irradiance, times 2 pi
-  turn_cos: f32, // 1 where nothing was cut
-  turn_sin: f32, // 0 where nothing was cut
-}
-
-// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-fn ltc_edge_above(a: vec3f, b: vec3f, s: f32, inv_a: f32, inv_b: f32) -> ltc_EdgeAbove {
-  let a_up = a.z >= 0.0;
-  let b_up = b.z >= 0.0;
-  let d = b - a;
-  let t = ltc_crossing_place(a.z, b.z);
-  let q = vec3f(a.x + d.x * t, a.y + d.y * t, 0.0);
-  let inv_q = ltc_inverse_length(q);
-  let extent = select(1.0 - t, select(t, 1.0, b_up), a_up);
-  var edge: ltc_EdgeAbove;
-  edge.term = ltc_edge_term_scaled(select(q, a, a_up), select(q, b, b_up), d * extent,
-                                   select(inv_q, inv_a, a_up), select(inv_q, inv_b, b_up));
-  edge.term = select(vec3f(0.0, 0.0, 0.0), edge.term, a_up || b_up);
-  let leaves = a_up && !b_up;
-  let enters = b_up && !a_up;
-  let inv_s = inv_q * s;
-  let x = q.x * inv_s;
-  edge.turn_cos = select(1.0, q.y * inv_s, leaves || enters);
-  edge.turn_sin = select(select(0.0, -x, enters), x, leaves);
-  return edge;
-}
-
-// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
-// other.
-fn ltc_join_edges(a: ltc_EdgeAbove, b: ltc_EdgeAbove) -> ltc_EdgeAbove {
-  var sum: ltc_EdgeAbove;
-  sum.term = a.term + b.term;
-  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
-  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
-  return sum;
-}
-
-// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
-// about z leads backwards; it holds whatever rounding makes of an angle near 0.
-fn ltc_close_outline(sum: ltc_EdgeAbove, way: f32) -> vec3f {
-  let angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
-  return vec3f(sum.term.x, sum.term.y, sum.term.z + select(angle, -angle, way < 0.0));
-}
-
-// The same with the turn added: the diffuse part of an edge.
-fn ltc_edge_term_above(a: vec3f, b: vec3f, s: f32, inv_a: f32, inv_b: f32) -> vec3f {
-  let a_up = a.z >= 0.0;
-  let b_up = b.z >= 0.0;
-  // Uniform shortcuts: no lane needs to clip, or none has anything left.
-  if (a_up && b_up) {
-    return ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
-  }
-  if (!(a_up || b_up)) {
-    return vec3f(0.0, 0.0, 0.0);
-  }
-  var edge = ltc_edge_above(a, b, s, inv_a, inv_b);
-  edge.term.z = edge.term.z + ltc_angle_of_unit(edge.turn_cos, edge.turn_sin);
-  return edge.term;
-}
-
-// One edge of an outline, clipped to the wedge and closed towards the apex where it was cut. An
-// outline passes the inverse lengths of its points on from edge to edge.
-fn ltc_clipped_edge_term_scaled(a_o: vec3f, b_o: vec3f, a_z: f32, b_z: f32, s: f32, inv_a: f32,
-                                inv_b: f32) -> vec3f {
-  let none = vec3f(0.0, 0.0, 0.0);
-  let a_inside = a_z >= 0.0 && a_o.z >= 0.0;
-  let b_inside = b_z >= 0.0 && b_o.z >= 0.0;
-  // Uniform shortcuts: no lane needs to clip, or none has anything left.
-  if (a_inside && b_inside) {
-    return ltc_edge_term_scaled(a_o, b_o, b_o - a_o, inv_a, inv_b);
-  }
-  if (!((a_z >= 0.0 || b_z >= 0.0) && (a_o.z >= 0.0 || b_o.z >= 0.0))) {
-    return none;
-  }
-  let edge = ltc_clip_edge(a_o, b_o, a_z, b_z);
-  // Nearly always one end at most was cut, q.
-  let q = select(edge.p0, edge.p1, a_inside);
-  let inv_q = ltc_inverse_length(q);
-  var inv_p1 = select(inv_q, inv_b, b_inside);
-  let leaves = select(-1.0, select(1.0, 0.0, b_inside), a_inside);
-  var closing = ltc_apex_term(q, inv_q, s) * leaves;
-  let both = !a_inside && !b_inside && !edge.outside;
-  if (both) {
-    let inv_end = ltc_inverse_length(edge.p1);
-    inv_p1 = inv_end;
-    closing = closing + ltc_apex_term(edge.p1, inv_end, s);
-  }
-  // An end that was not cut stays the very point whose inverse length is known.
-  let sum = ltc_edge_term_scaled(edge.p0, select(edge.p1, b_o, b_inside), (b_o - a_o) * edge.extent,
-                                 select(inv_q, inv_a, a_inside), inv_p1) + closing;
-  return select(sum, none, edge.outside);
 }
 
 // ---- light --------------------------------------------------------------------------------------
@@ -1026,10 +842,6 @@ fn ltc_shade_integral(s: ltc_Surface, integral: ltc_LightIntegral) -> ltc_Shaded
 //
 // Source: the edge sum of edge.glsl.
 
-// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
-// normal, meets the y axis.
-fn ltc_apex_side(normal_y: f32, h: f32) -> f32 { return select(1.0, -1.0, normal_y * h < 0.0); }
-
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   diffuse: vec3f,  // 2 pi times the vector irradiance of the clipped polygon in shading space
@@ -1064,21 +876,6 @@ fn ltc_quad_corner_seen(quad: ltc_Quad, i: i32, position: vec3f, frame: ltc_Fram
 // Height over the nearer of the two horizons, in units of its own space.
 fn ltc_least_height(corner: ltc_Corner) -> f32 { return min(corner.p.z, corner.o.z); }
 
-// The term of the edge from a to b in shading space, clipped to the horizon; s: its apex_side.
-fn ltc_diffuse_term(a: ltc_Corner, b: ltc_Corner, s: f32) -> vec3f {
-  return ltc_edge_term_above(a.p, b.p, s, a.inv_p, b.inv_p);
-}
-
-// And in cosine space, clipped to both horizons.
-fn ltc_specular_term(a: ltc_Corner, b: ltc_Corner, s: f32) -> vec3f {
-  return ltc_clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
-}
-
-// And above the surface's horizon, clipped to the cosine's, not yet closed.
-fn ltc_specular_edge(a: ltc_Corner, b: ltc_Corner, s: f32) -> ltc_EdgeAbove {
-  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
-}
-
 // The same of an edge above both horizons.
 fn ltc_whole_diffuse_term(a: ltc_Corner, b: ltc_Corner) -> vec3f {
   return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
@@ -1094,115 +891,216 @@ fn ltc_mean_length2(sum: vec3f, count: f32) -> f32 {
   return dot(sum, sum) / max(count * count, 1.0);
 }
 
-// Where the edge from a to b crosses the plane with unit normal `front`; heights: of its ends over that.
-fn ltc_corner_between(a: ltc_Corner, b: ltc_Corner, a_height: f32, b_height: f32, front: vec3f,
-                      lobe: ltc_Lobe) -> ltc_Corner {
-  let p = a.p + (b.p - a.p) * ltc_crossing_place(a_height, b_height);
-  // What rounding made of a crossing that is nearer than the ends would turn the plane, which may cut
-  // right through a narrow lobe.
-  return ltc_corner_at(p - front * dot(front, p), lobe);
-}
-
-// a where the mask is set, b elsewhere.
-fn ltc_select_corner(m: bool, a: ltc_Corner, b: ltc_Corner) -> ltc_Corner {
-  var corner: ltc_Corner;
-  corner.p = select(b.p, a.p, m);
-  corner.o = select(b.o, a.o, m);
-  corner.inv_p = select(b.inv_p, a.inv_p, m);
-  corner.inv_o = select(b.inv_o, a.inv_o, m);
-  return corner;
-}
-
-// sum_edges of the polygon's part in front of the plane with unit normal `front` (shading space).
-// Where an edge crosses it, an edge along it leads to the first such crossing; see front.glsl.
-fn ltc_quad_sum_edges_in_front(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
-                               h: f32, front: vec3f) -> ltc_EdgeSums {
-  let s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  let none = vec3f(0.0, 0.0, 0.0);
+// sum_edges for four corners above both horizons: nothing is cut.
+fn ltc_sum_whole_quad(a: ltc_Corner, b: ltc_Corner, c: ltc_Corner, d: ltc_Corner) -> ltc_EdgeSums {
   var sums: ltc_EdgeSums;
-  sums.diffuse = none;
-  sums.specular = none;
-  var outline = none;
-  var corners = 0.0;
-  var a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
-  var q = a;
-  var found = false;
-  let count = 5;
-  for (var i = 1; i < count; i++) {
-    let b = ltc_quad_corner_seen(quad, i, position, frame, lobe);
-    outline = outline + b.o * b.inv_o;
-    corners = corners + 1.0;
-    let a_height = dot(front, a.p);
-    let b_height = dot(front, b.p);
-    let a_seen = a_height >= 0.0;
-    let b_seen = b_height >= 0.0;
-    if (a_seen || b_seen) {
-      let cut = ltc_corner_between(a, b, a_height, b_height, front, lobe);
-      let from_ = ltc_select_corner(a_seen, a, cut);
-      let to = ltc_select_corner(b_seen, b, cut);
-      sums.diffuse = sums.diffuse + select(none, ltc_diffuse_term(from_, to, s), a_seen || b_seen);
-      sums.specular = sums.specular +
-                      select(none, ltc_specular_term(from_, to, s), a_seen || b_seen);
-      let crosses = a_seen != b_seen;
-      if (crosses) {
-        q = ltc_select_corner(!found, cut, q);
-        found = true;
-        let leaves = select(-1.0, 1.0, a_seen);
-        sums.diffuse = sums.diffuse + ltc_diffuse_term(cut, q, s) * leaves;
-        sums.specular = sums.specular + ltc_specular_term(cut, q, s) * leaves;
-      }
-    }
-    a = b;
-  }
-  sums.outline2 = ltc_mean_length2(outline, corners);
-  return sums;
-}
-
-// The same with all corners above the surface's horizon in all lanes: nothing is cut but in cosine space.
-fn ltc_sum_quad_above(a: ltc_Corner, b: ltc_Corner, c: ltc_Corner, d: ltc_Corner, s: f32, h: f32,
-                      lobe: ltc_Lobe) -> ltc_EdgeSums {
-  var sums: ltc_EdgeSums;
-  sums.outline2 = 0.0;
+  sums.outline2 = ltc_mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o,
+                                   4.0);
   sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
                  ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-  let to_c = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
-  let to_a = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
-  sums.specular = ltc_close_outline(ltc_join_edges(to_c, to_a), h * lobe.det);
+  sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
+                  ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
   return sums;
 }
 
-// sum_edges for four corners, which are seen once each.
-fn ltc_sum_quad_edges(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
-                      h: f32) -> ltc_EdgeSums {
+// ---- outline ------------------------------------------------------------------------------------
+//
+// The sum over a polygon's edges as one lane does it by itself, as in a shader: an edge is cut by one plane after
+// the other, and what nothing is left of is passed over by a branch. Code that is short and holds little at a time
+// is what counts there, so each edge begins anew with its two ends.
+//
+// Where an outline crosses a plane, what is left of it goes on in the plane. All its crossings lie on the straight
+// line in which the polygon's own plane meets this one, which a point that has a side of the polygon sees as less than
+// half a turn: so edges between each crossing and the first telescope, and outlines may be concave, or have holes. Such
+// an edge is then cut by the next plane like any other. Lanes, which all walk the same way, close at an apex instead,
+// a sum without a memory (edge.glsl).
+
+// What is summed along an outline, and where it first crossed each plane.
+struct ltc_OutlineSums {
+  diffuse: vec3f,    // 2 pi times the vector irradiance, shading space
+  specular: vec3f,   // the same in cosine space
+  front: vec3f,      // the first crossing of the triangle's plane, shading space
+  horizon: vec3f,    // of the surface's horizon, shading space
+  cosine: vec3f,     // and of the cosine's horizon, unit, cosine space
+  has_front: bool,   // whether there was any
+  has_horizon: bool, // whether there was any
+  has_cosine: bool,  // whether there was any
+}
+
+// No edges yet.
+fn ltc_no_outline() -> ltc_OutlineSums {
+  var outline: ltc_OutlineSums;
+  outline.diffuse = vec3f(0.0, 0.0, 0.0);
+  outline.specular = outline.diffuse;
+  outline.front = outline.diffuse;
+  outline.horizon = outline.diffuse;
+  outline.cosine = outline.diffuse;
+  outline.has_front = false;
+  outline.has_horizon = false;
+  outline.has_cosine = false;
+  return outline;
+}
+
+// The edge from a to b (cosine space), above the surface's horizon, cut by the cosine's, for the specular sum.
+fn ltc_add_to_specular(outline: ltc_OutlineSums, a: vec3f, b: vec3f) -> ltc_OutlineSums {
+  var next = outline;
+  let a_up = a.z >= 0.0;
+  let b_up = b.z >= 0.0;
+  if (a_up || b_up) {
+    var from_ = a;
+    var to = b;
+    var along = b - a;
+    if (a_up != b_up) {
+      let t = ltc_crossing_place(a.z, b.z);
+      let cut = vec3f(a.x + along.x * t, a.y + along.y * t, 0.0);
+      let unit = cut * ltc_inverse_length(cut);
+      var leaves = 1.0;
+      if (a_up) {
+        to = cut;
+        along = along * t;
+      } else {
+        from_ = cut;
+        along = along * (1.0 - t);
+        leaves = -1.0;
+      }
+      if (outline.has_cosine) {
+        let angle = ltc_angle_of_unit(dot(unit, outline.cosine),
+                                      unit.x * outline.cosine.y - unit.y * outline.cosine.x);
+        next.specular.z = next.specular.z + angle * leaves;
+      } else {
+        next.cosine = unit;
+        next.has_cosine = true;
+      }
+    }
+    next.specular = next.specular + ltc_edge_term(from_, to, along);
+  }
+  return next;
+}
+
+// The edge from a to b (shading space), cut by both horizons, for both sums.
+fn ltc_add_to_outline(outline: ltc_OutlineSums, a: vec3f, b: vec3f,
+                      lobe: ltc_Lobe) -> ltc_OutlineSums {
+  var next = outline;
+  let a_up = a.z >= 0.0;
+  let b_up = b.z >= 0.0;
+  var from_ = a;
+  var to = b;
+  var parts = select(0, 1, a_up || b_up);
+  if (a_up != b_up) {
+    let t = ltc_crossing_place(a.z, b.z);
+    let cut = vec3f(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
+    if (a_up) {
+      to = cut;
+    } else {
+      from_ = cut;
+    }
+    if (outline.has_horizon) {
+      parts = 2;
+    } else {
+      next.horizon = cut;
+      next.has_horizon = true;
+    }
+  }
+  for (var i = 0; i < parts; i++) {
+    next.diffuse = next.diffuse + ltc_edge_term(from_, to, to - from_);
+    next = ltc_add_to_specular(next, ltc_to_cosine(lobe, from_), ltc_to_cosine(lobe, to));
+    // What joins the crossing to the first.
+    if (a_up) {
+      from_ = to;
+      to = outline.horizon;
+    } else {
+      to = from_;
+      from_ = outline.horizon;
+    }
+  }
+  return next;
+}
+
+// The same, with `cut` cut before all else by the plane of the triangle, whose unit normal in shading space is
+// `front`.
+fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe, cut: bool,
+                    front: vec3f) -> ltc_OutlineSums {
+  var next = outline;
+  var from_ = a;
+  var to = b;
+  var a_seen = true;
+  var parts = 1;
+  if (cut) {
+    let a_height = dot(front, a);
+    let b_height = dot(front, b);
+    a_seen = a_height >= 0.0;
+    let b_seen = b_height >= 0.0;
+    parts = select(0, 1, a_seen || b_seen);
+    if (a_seen != b_seen) {
+      var crossing = a + (b - a) * ltc_crossing_place(a_height, b_height);
+      // See corner_between.
+      crossing = crossing - front * dot(front, crossing);
+      if (a_seen) {
+        to = crossing;
+      } else {
+        from_ = crossing;
+      }
+      if (outline.has_front) {
+        parts = 2;
+      } else {
+        next.front = crossing;
+        next.has_front = true;
+      }
+    }
+  }
+  for (var i = 0; i < parts; i++) {
+    next = ltc_add_to_outline(next, from_, to, lobe);
+    if (a_seen) {
+      from_ = to;
+      to = outline.front;
+    } else {
+      to = from_;
+      from_ = outline.front;
+    }
+  }
+  return next;
+}
+
+// sum_edges in one lane, and with `cut` of what is in front of the plane with unit normal `front`, shading space.
+fn ltc_quad_sum_edges_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
+                                  lobe: ltc_Lobe, cut: bool, front: vec3f) -> ltc_EdgeSums {
+  var outline = ltc_no_outline();
+  var corners = outline.diffuse;
+  var corner_count = 0.0;
+  var a = ltc_to_shading(frame, ltc_quad_point(quad, 0) - position);
+  let count = 5;
+  for (var i = 1; i < count; i++) {
+    let b = ltc_to_shading(frame, ltc_quad_point(quad, i) - position);
+    let o = ltc_to_cosine(lobe, b);
+    corners = corners + o * ltc_inverse_length(o);
+    corner_count = corner_count + 1.0;
+    outline = ltc_add_in_front(outline, a, b, lobe, cut, front);
+    a = b;
+  }
+  var sums: ltc_EdgeSums;
+  sums.diffuse = outline.diffuse;
+  sums.specular = outline.specular;
+  sums.outline2 = ltc_mean_length2(corners, corner_count);
+  return sums;
+}
+
+// The same of a quad, most of which are above both horizons and the triangle's plane.
+fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
+                            cut: bool, front: vec3f) -> ltc_EdgeSums {
   let a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
   let b = ltc_quad_corner_seen(quad, 1, position, frame, lobe);
   let c = ltc_quad_corner_seen(quad, 2, position, frame, lobe);
   let d = ltc_quad_corner_seen(quad, 3, position, frame, lobe);
-  let lowest = min(min(ltc_least_height(a), ltc_least_height(b)),
+  var lowest = min(min(ltc_least_height(a), ltc_least_height(b)),
                    min(ltc_least_height(c), ltc_least_height(d)));
-  var sums: ltc_EdgeSums;
-  let outline2 = ltc_mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o,
-                                  4.0);
-  // Uniform shortcut: no lane has anything to clip.
+  if (cut) {
+    lowest = min(lowest,
+                 min(min(dot(front, a.p), dot(front, b.p)), min(dot(front, c.p), dot(front, d.p))));
+  }
   if (lowest >= 0.0) {
-    sums.outline2 = outline2;
-    sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
-                   ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-    sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
-                    ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
-    return sums;
+    return ltc_sum_whole_quad(a, b, c, d);
   }
-  let s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  if (min(min(a.p.z, b.p.z), min(c.p.z, d.p.z)) >= 0.0) {
-    sums = ltc_sum_quad_above(a, b, c, d, s, h, lobe);
-  } else {
-    sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) +
-                   ltc_diffuse_term(c, d, s) + ltc_diffuse_term(d, a, s);
-    sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
-                    ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
-  }
-  sums.outline2 = outline2;
-  return sums;
+  return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, cut, front);
 }
 
 // ---- polygon ------------------------------------------------------------------------------------
@@ -1291,15 +1189,27 @@ fn ltc_quad_lit_side(quad: ltc_Quad, h: f32, to_origin: vec3f) -> f32 {
   return select(side, 0.0, ltc_lies_in_plane(h, to_origin, 0.0));
 }
 
+// A polygon as a point sees it, for its small form; side: see lit_side.
+fn ltc_small_quad(quad: ltc_Quad, center: vec3f, frame: ltc_Frame, h: f32,
+                  side: f32) -> ltc_SmallPolygon {
+  var small: ltc_SmallPolygon;
+  small.center = center;
+  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
+  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
+  small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
+  return small;
+}
+
 // Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 // behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
-// last digit asks has_side (surface.glsl) as well.
+// last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
+// unit normal `front` (shading space).
 //
 // The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
 // is the integral; the direction is the mean direction of the part of the polygon that counts,
 // and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
-fn ltc_integrate_quad(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
-                      lobe: ltc_Lobe) -> ltc_LightIntegral {
+fn ltc_integrate_quad_part(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
+                           cut: bool, front: vec3f) -> ltc_LightIntegral {
   let normal = ltc_quad_normal(quad);
   let to_origin = ltc_quad_origin(quad) - position;
   let h = dot(to_origin, normal);
@@ -1315,6 +1225,12 @@ fn ltc_integrate_quad(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
     center = ltc_to_shading(frame, to_center);
     exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
     exact_specular = ltc_polygon_exactness(center, radius, lobe);
+    // What the plane may cut is summed by its edges, however small.
+    if (cut) {
+      let in_front = dot(front, center) > radius;
+      exact_diffuse = select(1.0, exact_diffuse, in_front);
+      exact_specular = select(1.0, exact_specular, in_front);
+    }
   }
 
   var sums: ltc_EdgeSums;
@@ -1324,16 +1240,12 @@ fn ltc_integrate_quad(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   let lit = side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_edges(quad, position, frame, lobe, h);
+    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, cut, front);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }
   if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    var small: ltc_SmallPolygon;
-    small.center = center;
-    small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
-    small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
-    small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
+    let small = ltc_small_quad(quad, center, frame, h, side);
     let none = vec3f(0.0, 0.0, 0.0);
     sums.diffuse = sums.diffuse +
                    select(none,
@@ -1343,36 +1255,6 @@ fn ltc_integrate_quad(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
                     select(none, ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular),
                            exact_specular < 1.0);
   }
-  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
-                            ltc_small_outline2(sums, exact_specular));
-}
-
-// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
-// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
-fn ltc_integrate_quad_in_front(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
-                               front: vec3f) -> ltc_LightIntegral {
-  let to_origin = ltc_quad_origin(quad) - position;
-  let h = dot(to_origin, ltc_quad_normal(quad));
-  let side = ltc_quad_lit_side(quad, h, to_origin);
-  var small: ltc_SmallPolygon;
-  small.center = ltc_to_shading(frame, ltc_quad_centroid(quad) - position);
-  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
-  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
-  small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
-  // What the plane may cut is summed by its edges, however small.
-  let radius = ltc_quad_radius(quad);
-  let in_front = dot(front, small.center) > radius;
-  let exact_diffuse = select(1.0, ltc_polygon_exactness(small.center, radius, ltc_cosine_lobe()),
-                             in_front);
-  let exact_specular = select(1.0, ltc_polygon_exactness(small.center, radius, lobe), in_front);
-  var sums = ltc_quad_sum_edges_in_front(quad, position, frame, lobe, h, front);
-  let none = vec3f(0.0, 0.0, 0.0);
-  let small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
-  let small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
-  sums.diffuse = sums.diffuse * (side * exact_diffuse) +
-                 select(none, small_diffuse, exact_diffuse < 1.0);
-  sums.specular = sums.specular * (side * exact_specular) +
-                  select(none, small_specular, exact_specular < 1.0);
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
 }
@@ -1391,41 +1273,25 @@ fn ltc_quad_heights(quad: ltc_Quad, position: vec3f, normal: vec3f) -> ltc_Heigh
   return heights;
 }
 
-// Whether the plane of some lane's triangle may cut a polygon.
-fn ltc_quad_triangle_may_cut(s: ltc_Surface, quad: ltc_Quad) -> bool {
-  return s.tilted && dot(s.geometric, ltc_quad_centroid(quad) - s.position) < ltc_quad_radius(quad);
-}
-
 // ---- polygon surface ----------------------------------------------------------------------------
 //
 // A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
 // GGX itself, along the same edges (half_vector.glsl).
 
-// The integral where no triangle's plane cuts the polygon.
-fn ltc_whole_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
-  let integral = ltc_integrate_quad(quad, s.position, s.frame, s.fitted.lobe);
-  return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
-}
-
-// The integral where triangle_may_cut, which most groups need not carry along.
-fn ltc_cut_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
-  let heights = ltc_quad_heights(quad, s.position, s.geometric);
-  if (heights.low >= 0.0) {
-    return ltc_whole_quad_integral(s, quad);
+// Both in one lane, which passes over what it does not need.
+fn ltc_quad_integral_in_one_lane(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
+  let front = ltc_front_shading(s);
+  var integral = ltc_integrate_quad_part(quad, s.position, s.frame, s.fitted.lobe, s.tilted, front);
+  if (s.tilted) {
+    integral = ltc_unless_hidden(s, ltc_quad_heights(quad, s.position, s.geometric), integral);
   }
-  var integral = ltc_integrate_quad_in_front(quad, s.position, s.frame, s.fitted.lobe,
-                                             ltc_front_shading(s));
-  integral = ltc_unless_hidden(s, heights, integral);
   return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
 }
 
 // The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
 // without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
 fn ltc_surface_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
-  if (ltc_quad_triangle_may_cut(s, quad)) {
-    return ltc_cut_quad_integral(s, quad);
-  }
-  return ltc_whole_quad_integral(s, quad);
+  return ltc_quad_integral_in_one_lane(s, quad);
 }
 
 // Light that a surface reflects of a polygon of radiance 1, without shadow.
@@ -1437,10 +1303,7 @@ fn ltc_shade_quad_parts(s: ltc_Surface, quad: ltc_Quad) -> ltc_ShadedLight {
 // Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
 // these, each copies the surface, 3 % of a quad's instructions.
 fn ltc_shade_quad(s: ltc_Surface, quad: ltc_Quad) -> vec3f {
-  if (ltc_quad_triangle_may_cut(s, quad)) {
-    return ltc_both_parts(ltc_shade_integral(s, ltc_cut_quad_integral(s, quad)));
-  }
-  return ltc_both_parts(ltc_shade_integral(s, ltc_whole_quad_integral(s, quad)));
+  return ltc_both_parts(ltc_shade_integral(s, ltc_quad_integral_in_one_lane(s, quad)));
 }
 
 // ---- polynomial surface -------------------------------------------------------------------------

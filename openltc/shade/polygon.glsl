@@ -87,14 +87,26 @@ FN Real lit_side(Polygon polygon, Real h, Vec3 to_origin) {
   return select(lies_in_plane(h, to_origin, Real(0.0)), Real(0.0), side);
 }
 
+/// A polygon as a point sees it, for its small form; side: see lit_side.
+FN SmallPolygon small_polygon(Polygon polygon, Vec3 center, Frame frame, Real h, Real side) {
+  SmallPolygon small;
+  small.center = center;
+  small.u = to_shading(frame, polygon_spread_u(polygon));
+  small.v = to_shading(frame, polygon_spread_v(polygon));
+  small.area_height = polygon_area(polygon) * abs(h) * abs(side);
+  return small;
+}
+
 /// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 /// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
-/// last digit asks has_side (surface.glsl) as well.
+/// last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
+/// unit normal `front` (shading space).
 ///
 /// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
 /// is the integral; the direction is the mean direction of the part of the polygon that counts,
 /// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
-FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
+FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame frame, Lobe lobe,
+                                        bool cut, Vec3 front) {
   Vec3 normal = polygon_normal(polygon);
   Vec3 to_origin = polygon_origin(polygon) - position;
   Real h = dot(to_origin, normal);
@@ -110,6 +122,12 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
     center = to_shading(frame, to_center);
     exact_diffuse = polygon_exactness(center, radius, cosine_lobe());
     exact_specular = polygon_exactness(center, radius, lobe);
+    // What the plane may cut is summed by its edges, however small.
+    if (cut) {
+      Mask in_front = dot(front, center) > radius;
+      exact_diffuse = select(in_front, exact_diffuse, Real(1.0));
+      exact_specular = select(in_front, exact_specular, Real(1.0));
+    }
   }
 
   EdgeSums sums;
@@ -119,7 +137,15 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   Mask lit = side != Real(0.0);
   if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
-    if (polygon_point_count(polygon) == k_quad_points) {
+    if (one_lane()) {
+      if (polygon_point_count(polygon) == k_quad_points) {
+        sums = sum_quad_in_one_lane(polygon, position, frame, lobe, cut, front);
+      } else {
+        sums = sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
+      }
+    } else if (cut) {
+      sums = sum_edges_in_front(polygon, position, frame, lobe, h, front);
+    } else if (polygon_point_count(polygon) == k_quad_points) {
       sums = sum_quad_edges(polygon, position, frame, lobe, h);
     } else {
       sums = sum_edges(polygon, position, frame, lobe, h);
@@ -128,11 +154,7 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
     sums.specular = sums.specular * (side * exact_specular);
   }
   if (any_lane(lit && (exact_diffuse < Real(1.0) || exact_specular < Real(1.0)))) {
-    SmallPolygon small;
-    small.center = center;
-    small.u = to_shading(frame, polygon_spread_u(polygon));
-    small.v = to_shading(frame, polygon_spread_v(polygon));
-    small.area_height = polygon_area(polygon) * abs(h) * abs(side);
+    SmallPolygon small = small_polygon(polygon, center, frame, h, side);
     Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
     sums.diffuse =
         sums.diffuse + select(exact_diffuse < Real(1.0),
@@ -145,34 +167,18 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
   return light_integral(sums.diffuse, sums.specular, lobe, small_outline2(sums, exact_specular));
 }
 
-/// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
-/// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
+/// The same over all of it.
+FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
+  return integrate_polygon_part(polygon, position, frame, lobe, false,
+                                Vec3(Real(0.0), Real(0.0), Real(1.0)));
+}
+
+/// And over what is in front of the plane with unit normal `front` (shading space). A call, so that nearly all
+/// groups of points, which no triangle cuts, need not carry it along.
 FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position, Frame frame,
                                                  Lobe lobe, Vec3 front) {
   ASSERT_THAT(is_unit(front));
-  Vec3 to_origin = polygon_origin(polygon) - position;
-  Real h = dot(to_origin, polygon_normal(polygon));
-  Real side = lit_side(polygon, h, to_origin);
-  SmallPolygon small;
-  small.center = to_shading(frame, polygon_centroid(polygon) - position);
-  small.u = to_shading(frame, polygon_spread_u(polygon));
-  small.v = to_shading(frame, polygon_spread_v(polygon));
-  small.area_height = polygon_area(polygon) * abs(h) * abs(side);
-  // What the plane may cut is summed by its edges, however small.
-  Real radius = polygon_radius(polygon);
-  Mask in_front = dot(front, small.center) > radius;
-  Real exact_diffuse =
-      select(in_front, polygon_exactness(small.center, radius, cosine_lobe()), Real(1.0));
-  Real exact_specular = select(in_front, polygon_exactness(small.center, radius, lobe), Real(1.0));
-  EdgeSums sums = sum_edges_in_front(polygon, position, frame, lobe, h, front);
-  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  Vec3 small_diffuse = sum_small_polygon(small, cosine_lobe()) * (Real(1.0) - exact_diffuse);
-  Vec3 small_specular = sum_small_polygon(small, lobe) * (Real(1.0) - exact_specular);
-  sums.diffuse = sums.diffuse * (side * exact_diffuse) +
-                 select(exact_diffuse < Real(1.0), small_diffuse, none);
-  sums.specular = sums.specular * (side * exact_specular) +
-                  select(exact_specular < Real(1.0), small_specular, none);
-  return light_integral(sums.diffuse, sums.specular, lobe, small_outline2(sums, exact_specular));
+  return integrate_polygon_part(polygon, position, frame, lobe, true, front);
 }
 
 /// Of a polygon over the plane through `position` with that unit normal, world space.

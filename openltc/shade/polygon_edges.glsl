@@ -227,6 +227,18 @@ FN EdgeSums sum_quad_above(Corner a, Corner b, Corner c, Corner d, Real s, Real 
   return sums;
 }
 
+/// sum_edges for four corners above both horizons: nothing is cut.
+FN EdgeSums sum_whole_quad(Corner a, Corner b, Corner c, Corner d) {
+  EdgeSums sums;
+  sums.outline2 =
+      mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o, Real(4.0));
+  sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) + whole_diffuse_term(c, d) +
+                 whole_diffuse_term(d, a);
+  sums.specular = whole_specular_term(a, b) + whole_specular_term(b, c) +
+                  whole_specular_term(c, d) + whole_specular_term(d, a);
+  return sums;
+}
+
 /// sum_edges for four corners, which are seen once each.
 FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h) {
   Corner a = corner_seen(polygon, 0, position, frame, lobe);
@@ -234,18 +246,13 @@ FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lob
   Corner c = corner_seen(polygon, 2, position, frame, lobe);
   Corner d = corner_seen(polygon, 3, position, frame, lobe);
   Real lowest = min(min(least_height(a), least_height(b)), min(least_height(c), least_height(d)));
+  // Uniform shortcut: no lane has anything to clip.
+  if (all_lanes(lowest >= Real(0.0))) {
+    return sum_whole_quad(a, b, c, d);
+  }
   EdgeSums sums;
   Real outline2 =
       mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o, Real(4.0));
-  // Uniform shortcut: no lane has anything to clip.
-  if (all_lanes(lowest >= Real(0.0))) {
-    sums.outline2 = outline2;
-    sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) + whole_diffuse_term(c, d) +
-                   whole_diffuse_term(d, a);
-    sums.specular = whole_specular_term(a, b) + whole_specular_term(b, c) +
-                    whole_specular_term(c, d) + whole_specular_term(d, a);
-    return sums;
-  }
   Real s = apex_side(dot(frame.t2, polygon_normal(polygon)), h);
   if (all_lanes(min(min(a.p.z, b.p.z), min(c.p.z, d.p.z)) >= Real(0.0))) {
     sums = sum_quad_above(a, b, c, d, s, h, lobe);

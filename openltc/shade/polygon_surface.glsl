@@ -182,11 +182,30 @@ FN LightIntegral cut_polygon_integral(Surface s, Polygon polygon) {
   return unless_in_plane(s, polygon_origin(polygon), polygon_normal(polygon), integral);
 }
 
+/// Both in one lane, which passes over what it does not need.
+FN LightIntegral polygon_integral_in_one_lane(Surface s, Polygon polygon) {
+  Vec3 front = front_shading(s);
+  LightIntegral integral =
+      integrate_polygon_part(polygon, s.position, s.frame, s.fitted.lobe, s.tilted, front);
+  if (s.two) {
+    integral = with_second_lobe(
+        s, integral,
+        integrate_polygon_part(polygon, s.position, s.frame, s.second, s.tilted, front));
+  }
+  if (s.tilted) {
+    integral = unless_hidden(s, polygon_heights(polygon, s.position, s.geometric), integral);
+  }
+  return unless_in_plane(s, polygon_origin(polygon), polygon_normal(polygon), integral);
+}
+
 /// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
 /// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
 FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
   if (s.exact) {
     return exact_polygon_integral(s, polygon);
+  }
+  if (one_lane()) {
+    return polygon_integral_in_one_lane(s, polygon);
   }
   if (triangle_may_cut(s, polygon)) {
     return cut_polygon_integral(s, polygon);
@@ -205,6 +224,9 @@ FN ShadedLight shade_polygon_parts(Surface s, Polygon polygon) {
 FN Vec3 shade_polygon(Surface s, Polygon polygon) {
   if (s.exact) {
     return both_parts(shade_integral(s, exact_polygon_integral(s, polygon)));
+  }
+  if (one_lane()) {
+    return both_parts(shade_integral(s, polygon_integral_in_one_lane(s, polygon)));
   }
   if (triangle_may_cut(s, polygon)) {
     return both_parts(shade_integral(s, cut_polygon_integral(s, polygon)));

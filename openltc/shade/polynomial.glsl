@@ -24,24 +24,24 @@
 // The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
 // smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
-/// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
-/// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
-/// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
-FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha, Real width,
-                                            Real cos_theta) {
+/// What the terms of the first lobe and of the amplitudes add up to.
+struct LobePolynomialSum {
+  Vec4 mirror;     ///< A B C D
+  Vec2 amplitudes; ///< n1 s
+};
+
+/// At u and v, see above.
+FN LobePolynomialSum sum_lobe_polynomial(LobePolynomial polynomial, Real u, Real v) {
   ASSERT_THAT(lobe_polynomial_degree(polynomial) >= 0);
-  Real a = min(max(alpha, Real(k_min_alpha)), Real(1.0));
-  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
-  Real u = Real(2.0) * sqrt(a) - Real(1.0);
-  Real v = Real(2.0) * sqrt(Real(1.0) - c) - Real(1.0);
   Real u_twice = u + u;
   Real v_twice = v + v;
 
   // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
   // at T_j(v) instead of 1. All channels share it.
   int degree = lobe_polynomial_degree(polynomial);
-  Vec4 abcd = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
-  Vec2 amplitudes = Vec2(Real(0.0), Real(0.0));
+  LobePolynomialSum sum;
+  sum.mirror = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
+  sum.amplitudes = Vec2(Real(0.0), Real(0.0));
   Real t_v = Real(1.0);
   Real t_v_before = v;
   int term = 0;
@@ -49,8 +49,8 @@ FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alph
     Real product = t_v;
     Real product_before = u * t_v;
     for (int i = 0; i <= degree - j; ++i) {
-      abcd = abcd + lobe_polynomial_mirror(polynomial, term) * product;
-      amplitudes = amplitudes + lobe_polynomial_amplitudes(polynomial, term) * product;
+      sum.mirror = sum.mirror + lobe_polynomial_mirror(polynomial, term) * product;
+      sum.amplitudes = sum.amplitudes + lobe_polynomial_amplitudes(polynomial, term) * product;
       Real next = u_twice * product - product_before;
       product_before = product;
       product = next;
@@ -60,12 +60,24 @@ FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alph
     t_v_before = t_v;
     t_v = t_v_next;
   }
+  return sum;
+}
 
+/// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+/// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+/// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+FN FittedLobe eval_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha, Real width,
+                                            Real cos_theta) {
+  Real a = min(max(alpha, Real(k_min_alpha)), Real(1.0));
+  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
+  Real u = Real(2.0) * sqrt(a) - Real(1.0);
+  Real v = Real(2.0) * sqrt(Real(1.0) - c) - Real(1.0);
+  LobePolynomialSum sum = sum_lobe_polynomial(polynomial, u, v);
   FittedLobe fitted;
-  fitted.lobe = lobe_from_mirror(abcd, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
+  fitted.lobe = lobe_from_mirror(sum.mirror, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
   fitted.lobe.det = max(fitted.lobe.det, Real(k_tiny));
-  fitted.n1 = max(amplitudes.x, Real(0.0));
-  Real s = min(max(amplitudes.y, Real(0.0)), Real(1.0));
+  fitted.n1 = max(sum.amplitudes.x, Real(0.0));
+  Real s = min(max(sum.amplitudes.y, Real(0.0)), Real(1.0));
   Real s2 = s * s;
   fitted.n5 = fitted.n1 * (s2 * s2 * s);
   return fitted;
@@ -80,22 +92,22 @@ FN FittedLobe eval_lobe_polynomial(LobePolynomial polynomial, Real alpha, Real c
   return fitted;
 }
 
-/// The second lobe of a polynomial that has one (lobe_polynomial_has_second), whatever the values: a
-/// determinant above 0, a weight in [0, 1]. `width` as above.
-FN SecondLobe eval_second_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha,
-                                                   Real width, Real cos_theta) {
+/// What the terms of the second lobe add up to.
+struct SecondPolynomialSum {
+  Vec4 mirror;  ///< A B C D
+  Real tangent; ///< t
+};
+
+/// At u and v: the recurrence of the first lobe over other coefficients, of which shaders of one lobe have
+/// none.
+FN SecondPolynomialSum sum_second_polynomial(LobePolynomial polynomial, Real u, Real v) {
   ASSERT_THAT(lobe_polynomial_degree(polynomial) >= 0);
-  Real a = min(max(alpha, Real(k_min_alpha)), Real(1.0));
-  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
-  Real u = Real(2.0) * sqrt(a) - Real(1.0);
-  Real v = Real(2.0) * sqrt(Real(1.0) - c) - Real(1.0);
   Real u_twice = u + u;
   Real v_twice = v + v;
-
-  // The recurrence of the first lobe, over other coefficients: shaders of one lobe have none of these.
   int degree = lobe_polynomial_degree(polynomial);
-  Vec4 abcd = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
-  Real t = Real(0.0);
+  SecondPolynomialSum sum;
+  sum.mirror = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
+  sum.tangent = Real(0.0);
   Real t_v = Real(1.0);
   Real t_v_before = v;
   int term = 0;
@@ -103,8 +115,8 @@ FN SecondLobe eval_second_lobe_polynomial_of_width(LobePolynomial polynomial, Re
     Real product = t_v;
     Real product_before = u * t_v;
     for (int i = 0; i <= degree - j; ++i) {
-      abcd = abcd + lobe_polynomial_second(polynomial, term) * product;
-      t = t + lobe_polynomial_tangent(polynomial, term) * product;
+      sum.mirror = sum.mirror + lobe_polynomial_second(polynomial, term) * product;
+      sum.tangent = sum.tangent + lobe_polynomial_tangent(polynomial, term) * product;
       Real next = u_twice * product - product_before;
       product_before = product;
       product = next;
@@ -114,11 +126,24 @@ FN SecondLobe eval_second_lobe_polynomial_of_width(LobePolynomial polynomial, Re
     t_v_before = t_v;
     t_v = t_v_next;
   }
+  return sum;
+}
+
+/// The second lobe of a polynomial that has one (lobe_polynomial_has_second), whatever the values: a
+/// determinant above 0, a weight in [0, 1]. `width` as above.
+FN SecondLobe eval_second_lobe_polynomial_of_width(LobePolynomial polynomial, Real alpha,
+                                                   Real width, Real cos_theta) {
+  Real a = min(max(alpha, Real(k_min_alpha)), Real(1.0));
+  Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
+  Real u = Real(2.0) * sqrt(a) - Real(1.0);
+  Real v = Real(2.0) * sqrt(Real(1.0) - c) - Real(1.0);
+  SecondPolynomialSum sum = sum_second_polynomial(polynomial, u, v);
 
   SecondLobe second;
-  second.lobe = lobe_from_mirror(abcd, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
+  second.lobe = lobe_from_mirror(sum.mirror, min(max(width, Real(k_min_alpha)), Real(1.0)), c);
   second.lobe.det = max(second.lobe.det, Real(k_tiny));
-  second.weight = Real(0.5) + Real(0.5) * t * inversesqrt(Real(1.0) + t * t);
+  second.weight =
+      Real(0.5) + Real(0.5) * sum.tangent * inversesqrt(Real(1.0) + sum.tangent * sum.tangent);
   return second;
 }
 

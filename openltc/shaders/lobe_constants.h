@@ -1,16 +1,20 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-// The built-in polynomials as constants of a shader file.
+// The fitted lobes that are built in as constants of a shader.
 
 #pragma once
 
+#include "openltc/base/result.h"
 #include "openltc/shaders/syntax.h"
+
+#include <vector>
 
 namespace openltc::shaders {
 
-/// The polynomials of one lobe or of two: k_polynomial_degree, and an array for each kind of
-/// coefficient, in the order of terms of shade/polynomial.glsl.
-SourceFile lobe_constants(bool two);
+/// Writes the coefficients of the built-in polynomials of one lobe, or of two, into the functions
+/// that sum them (shade/polynomial.glsl), a line for each term: compilers keep an array that a loop
+/// walks through in memory, and some make it anew at each call.
+Status set_lobe_constants(std::vector<SourceFile>& files, bool two);
 
 } // namespace openltc::shaders

@@ -60,8 +60,8 @@ Status parse_into(std::vector<SourceFile>& files, const std::string& path) {
 
 // The files of dialect/ that stand before the maths, and after it.
 std::vector<std::string> data_files(const ShaderRequest& request) {
-  std::vector<std::string> names = {is_constant(request.lobe) ? "polynomial_data" : "table_data"};
-  if (request.lobe == Lobe::two_lobe_polynomial) names.push_back("two_lobe_polynomial_data");
+  std::vector<std::string> names;
+  if (!is_constant(request.lobe)) names.push_back("table_data");
   if (has(request, Shape::quad) || has(request, Shape::textured)) names.push_back("quad_data");
   if (has(request, Shape::polygon)) names.push_back("polygon_data");
   if (has(request, Shape::textured)) names.push_back("picture_data");
@@ -141,8 +141,10 @@ Result<std::vector<SourceFile>> read_source(const ShaderRequest& request) {
     if (Status status = parse_into(maths, path); !status) return status.error();
   if (has(request, Shape::quad) || has(request, Shape::textured)) add_quad_functions(maths);
   drop_quad_case(maths);
+  if (is_constant(request.lobe))
+    if (Status status = set_lobe_constants(maths, has_two(request.lobe)); !status)
+      return status.error();
   std::vector<SourceFile> files = {std::move(maths[0])}; // constants
-  if (is_constant(request.lobe)) files.push_back(lobe_constants(has_two(request.lobe)));
   const auto add = [&](const std::vector<std::string>& names) -> Status {
     for (const std::string& name : names)
       if (Status status = parse_into(files, "openltc/shaders/dialect/" + name + ".glsl"); !status)

@@ -176,6 +176,8 @@ private:
       replace(node, Node(node.parts[0]));
     } else if (node.text == "lanes_agree") {
       replace(node, truth(false));
+    } else if (node.text == "one_lane") {
+      replace(node, truth(true));
     } else if (node.text == "select") {
       node.kind = Kind::conditional;
       node.text.clear();
