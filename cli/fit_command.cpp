@@ -17,16 +17,21 @@ std::string shell_word(const std::string& path) {
   return quoted + "'";
 }
 
-std::string fit_command_of(const std::string& brdf, const fit::FitRequest& c) {
-  const fit::FitRequest standard;
+std::string fit_command_of(const std::string& brdf, const fit::FitRequest& c,
+                           const table::Engine* engine) {
+  fit::FitRequest standard;
   std::string command = fmt::format("openltc fit --brdf {}", shell_word(brdf));
   if (is_polynomial(c.form))
     command += fmt::format(
         " --form {} --degree {}",
         c.form == table::LobeForm::polynomial ? "polynomial" : "two-lobe-polynomial", c.degree);
+  else if (engine)
+    command += fmt::format(" --engine {}{}", engine->name,
+                           c.size != engine->size ? fmt::format(" --size {}", c.size) : "");
   else
     command += fmt::format("{} --size {}",
                            c.form == table::LobeForm::two_lobe ? " --form two-lobe" : "", c.size);
+  if (engine) standard.layout = c.layout, standard.precision = c.precision;
   if (c.objective != standard.objective) command += fmt::format(" --objective {}", c.objective);
   if (c.layout != standard.layout) command += fmt::format(" --layout {}", name_of(c.layout));
   if (c.precision != standard.precision)

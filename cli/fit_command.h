@@ -6,6 +6,7 @@
 #pragma once
 
 #include "openltc/fit/fit_job.h"
+#include "openltc/table/engine.h"
 
 #include <string>
 
@@ -15,7 +16,8 @@ namespace openltc::cli {
 std::string shell_word(const std::string& path);
 
 /// The command line that makes the same again: all choices that are not defaults. `brdf` is a name
-/// or the path of a MERL file.
-std::string fit_command_of(const std::string& brdf, const fit::FitRequest& request);
+/// or the path of a MERL file, `engine` the one whose files were asked for or nullptr.
+std::string fit_command_of(const std::string& brdf, const fit::FitRequest& request,
+                           const table::Engine* engine = nullptr);
 
 } // namespace openltc::cli

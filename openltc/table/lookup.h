@@ -23,8 +23,13 @@ double angle_coordinate(AngleAxis axis, double cos_theta);
 double look_up_coordinate(Layout layout, AngleAxis axis, double cos_theta);
 double cosine_of_coordinate(Layout layout, AngleAxis axis, double y);
 
-/// The table read at `columns` equidistant roughnesses and at the rows `from`, coordinates 0..1 on
-/// its own angle axis.
-LobeTable interpolate(const LobeTable& table, int columns, std::span<const double> from);
+/// The table read at the columns `across` and the rows `from`, coordinates 0..1 on its own axes.
+LobeTable interpolate(const LobeTable& table, std::span<const double> across,
+                      std::span<const double> from);
+
+/// The roughness at which a layout's shader reads column `column` of `columns`, and the coordinate
+/// 0..1 that it computes for a roughness. Only those of ltc_code_alpha are not the same number.
+double column_roughness(Layout layout, int columns, int column);
+double roughness_coordinate(Layout layout, double roughness);
 
 } // namespace openltc::table
