@@ -128,11 +128,8 @@ Result<std::vector<std::string>> planned_files(const brdf::Brdf& brdf,
                                                const FitArguments& arguments) {
   const table::Engine* engine = arguments.engine_asked();
   if (!engine) return fit::check_outputs(brdf, arguments.request, arguments.outputs);
-  std::vector<std::string> files;
-  for (const std::string& folder : arguments.outputs)
-    for (std::string& path : table::engine_paths(*engine, folder))
-      files.push_back(std::move(path));
-  return files;
+  if (arguments.outputs.empty()) return std::vector<std::string>{};
+  return table::engine_paths(*engine, arguments.outputs[0]);
 }
 
 Result<std::vector<std::string>> write_output(const fit::FittedLobes& fitted,
@@ -229,8 +226,8 @@ constexpr const char* k_fit_footer =
     "Two lobes, fitted together, halve the error; only this project reads tables of them.\n"
     "\n"
     "--engine NAME makes the files that an engine itself ships, of the same names, sizes and\n"
-    "axes, fitted for what its look-up does, and says where they go; -o is a folder then. Tables\n"
-    "made so lie in tables/; docs/engines.md.\n"
+    "axes, fitted for what its look-up does, and says where they go; -o is a folder then, see "
+    "tables/.\n"
     "\n"
     "Examples:\n"
     "  openltc fit                                        GGX, errors only, all of them\n"
@@ -347,6 +344,8 @@ Status check_form(const FitArguments& arguments, const FormOptions& options) {
   const auto refusal = [&](const CLI::Option* option, const char* form, const char* not_form) {
     return Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)};
   };
+  if (arguments.engine >= 0 && arguments.outputs.size() > 1)
+    return Error{"--engine has one folder, so -o is given once"};
   for (const CLI::Option* option : options.of_no_engine)
     if (arguments.engine >= 0 && option->count() > 0)
       return Error{fmt::format("{} is not for --engine, which chooses it", option->get_name())};

@@ -191,7 +191,7 @@ std::span<const Engine> all_engines() {
        Layout::ltc_code,
        64,
        f32,
-       {"eevee_lut_ltc.inc"},
+       {"eevee_lut_ltc.hh"},
        "source/blender/draw/engines/eevee/, instead of the two arrays in eevee_lut.cc",
        "takes amplitudes from a table of its own, so only the lobes change"},
       {"unity",

@@ -92,8 +92,7 @@ TEST_CASE("tables for engines that read ltc_code err by a third less than the pu
       const int i = std::min(int(u), n - 2), j = std::min(int(v), n - 2);
       const auto at = [&](std::size_t texture, int channel) {
         const auto texel = [&](int x, int y) {
-          return double(
-              packed.textures[texture].values[std::size_t((y * n + x) * 4 + channel)]);
+          return double(packed.textures[texture].values[std::size_t((y * n + x) * 4 + channel)]);
         };
         const double x = u - i, y = v - j;
         return (1 - y) * ((1 - x) * texel(i, j) + x * texel(i + 1, j)) +

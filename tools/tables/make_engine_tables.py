@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Makes the tables of tables/ by `openltc fit --engine` and the figures of tables/README.md.
 
-    tools/make_engine_tables.py [--figures] [folder of the programs]
+    tools/tables/make_engine_tables.py [--figures] [folder of the programs]
 
 With --figures also the errors before and after, between the markers of the page. The published
 table, ltc_1.dds and ltc_2.dds of the code to Heitz, Dupuy, Hill, Neubelt 2016, is read from
@@ -19,7 +19,7 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 PUBLISHED = ROOT / "../shared/tables"
 PAGE = ROOT / "tables" / "README.md"
 # name: title, its size, whether it ships the published table, how its layout is converted to
