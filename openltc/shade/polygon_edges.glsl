@@ -221,9 +221,9 @@ FN EdgeSums sum_quad_above(Corner a, Corner b, Corner c, Corner d, Real s, Real 
   sums.outline2 = Real(0.0);
   sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) + whole_diffuse_term(c, d) +
                  whole_diffuse_term(d, a);
-  EdgeAbove first = join_edges(specular_edge(a, b, s), specular_edge(b, c, s));
-  EdgeAbove second = join_edges(specular_edge(c, d, s), specular_edge(d, a, s));
-  sums.specular = close_outline(join_edges(first, second), h * lobe.det);
+  EdgeAbove to_c = join_edges(specular_edge(a, b, s), specular_edge(b, c, s));
+  EdgeAbove to_a = join_edges(specular_edge(c, d, s), specular_edge(d, a, s));
+  sums.specular = close_outline(join_edges(to_c, to_a), h * lobe.det);
   return sums;
 }
 

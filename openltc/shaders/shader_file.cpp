@@ -3,7 +3,8 @@
 
 #include "openltc/shaders/shader_file.h"
 
-#include "openltc/api/ggx_polynomial.inc"
+#include "openltc/shaders/arguments.h"
+#include "openltc/shaders/lobe_constants.h"
 #include "openltc/shaders/parser.h"
 #include "openltc/shaders/quads.h"
 #include "openltc/shaders/reach.h"
@@ -59,8 +60,8 @@ Status parse_into(std::vector<SourceFile>& files, const std::string& path) {
 
 // The files of dialect/ that stand before the maths, and after it.
 std::vector<std::string> data_files(const ShaderRequest& request) {
-  std::vector<std::string> names = {request.lobe == Lobe::polynomial ? "polynomial_data"
-                                                                     : "table_data"};
+  std::vector<std::string> names = {is_constant(request.lobe) ? "polynomial_data" : "table_data"};
+  if (request.lobe == Lobe::two_lobe_polynomial) names.push_back("two_lobe_polynomial_data");
   if (has(request, Shape::quad) || has(request, Shape::textured)) names.push_back("quad_data");
   if (has(request, Shape::polygon)) names.push_back("polygon_data");
   if (has(request, Shape::textured)) names.push_back("picture_data");
@@ -68,10 +69,9 @@ std::vector<std::string> data_files(const ShaderRequest& request) {
 }
 
 std::vector<std::string> entry_files(const ShaderRequest& request) {
-  std::vector<std::string> names = {request.lobe == Lobe::polynomial ? "polynomial_surface"
-                                    : request.lobe == Lobe::table    ? "table_surface"
-                                                                     : "two_lobe_surface",
-                                    "gltf_surface", "lights"};
+  constexpr const char* k_surfaces[] = {"polynomial_surface", "two_lobe_polynomial_surface",
+                                        "table_surface", "two_lobe_table_surface"};
+  std::vector<std::string> names = {k_surfaces[int(request.lobe)], "gltf_surface", "lights"};
   if (has(request, Shape::textured)) names.push_back("textured");
   return names;
 }
@@ -126,41 +126,12 @@ Handles handles_of(const ShaderRequest& request) {
   Handles handles;
   handles["LobePolynomial"] = {};
   handles["LobeTable"] = with_sampler(std::move(table), "");
-  handles["Lobes"] =
-      request.lobe == Lobe::polynomial ? handles["LobePolynomial"] : handles["LobeTable"];
+  handles["Lobes"] = handles[is_constant(request.lobe) ? "LobePolynomial" : "LobeTable"];
   handles["Polygon"] = {{words.polygon, ""}};
   handles["Picture"] = with_sampler({{words.texture, ""}}, "");
   handles["EmissionTexture"] =
       with_sampler({{"Quad", ""}, {words.texture, "_picture"}}, "_picture");
   return handles;
-}
-
-Node number(float value) {
-  std::string text = fmt::format("{}", value < 0 ? -value : value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  Node node{Kind::number, text};
-  return value < 0 ? Node{Kind::unary, "-", {std::move(node)}} : node;
-}
-
-// The built-in polynomial as constants.
-SourceFile polynomial_constants() {
-  SourceFile file{"polynomial_coefficients"};
-  Item degree{ItemKind::constant, "int", "k_polynomial_degree"};
-  degree.body = {Kind::number, std::to_string(k_ggx_polynomial_degree)};
-  degree.comments = {"Total degree of the polynomials in both variables."};
-  Item mirror{ItemKind::constant, "Vec4", "k_polynomial_mirror"};
-  mirror.comments = {"Coefficients of A, B, C and D, a term a row."};
-  Item amplitudes{ItemKind::constant, "Vec2", "k_polynomial_amplitudes"};
-  amplitudes.comments = {"And of n1 and s."};
-  const int terms = (k_ggx_polynomial_degree + 1) * (k_ggx_polynomial_degree + 2) / 2;
-  for (int term = 0; term < terms; ++term) {
-    const float* row = k_ggx_polynomial + 8 * term;
-    mirror.elements.push_back(
-        {Kind::call, "Vec4", {number(row[0]), number(row[1]), number(row[2]), number(row[3])}});
-    amplitudes.elements.push_back({Kind::call, "Vec2", {number(row[4]), number(row[5])}});
-  }
-  file.items = {std::move(degree), std::move(mirror), std::move(amplitudes)};
-  return file;
 }
 
 // All that may be in the file, in its order.
@@ -171,7 +142,7 @@ Result<std::vector<SourceFile>> read_source(const ShaderRequest& request) {
   if (has(request, Shape::quad) || has(request, Shape::textured)) add_quad_functions(maths);
   drop_quad_case(maths);
   std::vector<SourceFile> files = {std::move(maths[0])}; // constants
-  if (request.lobe == Lobe::polynomial) files.push_back(polynomial_constants());
+  if (is_constant(request.lobe)) files.push_back(lobe_constants(has_two(request.lobe)));
   const auto add = [&](const std::vector<std::string>& names) -> Status {
     for (const std::string& name : names)
       if (Status status = parse_into(files, "openltc/shaders/dialect/" + name + ".glsl"); !status)
@@ -226,7 +197,7 @@ std::string name_of(Shape shape) {
 }
 
 std::string name_of(Lobe lobe) {
-  constexpr const char* k_names[] = {"polynomial", "table", "two-lobe"};
+  constexpr const char* k_names[] = {"polynomial", "two-lobe-polynomial", "table", "two-lobe"};
   return k_names[int(lobe)];
 }
 
@@ -254,8 +225,8 @@ std::string file_name(const ShaderRequest& request) {
     for (std::size_t i = 0; i < request.shapes.size(); ++i)
       name += (i > 0 ? "_" : "") + name_of(request.shapes[i]);
   }
-  if (request.lobe == Lobe::table) name += "_table";
-  if (request.lobe == Lobe::two_lobe) name += "_two_lobe";
+  constexpr const char* k_lobes[] = {"", "_two_lobe_polynomial", "_table", "_two_lobe"};
+  name += k_lobes[int(request.lobe)];
   if (request.language == Language::glsl_es) name += "_es";
   return name + words_of(request.language).extension;
 }
@@ -266,13 +237,15 @@ Result<std::string> make_shader(const ShaderRequest& request) {
   std::vector<SourceFile>& files = *read;
 
   Facts facts;
-  facts.second_lobe = request.lobe == Lobe::two_lobe;
+  facts.second_lobe = has_two(request.lobe);
   for (const SourceFile& file : files)
     note_integers(file, facts);
   for (SourceFile& file : files)
     for (Item& item : file.items)
       simplify(item, facts);
-  keep_reached(files, roots_of(request));
+  do {
+    keep_reached(files, roots_of(request));
+  } while (settle_arguments(files, facts));
 
   std::set<std::string> globals = {"polygon_data", "texture_size"};
   bool sizes = false;

@@ -22,8 +22,19 @@ const std::vector<Shape>& all_shapes();
 /// "quad": how the command line names a shape.
 std::string name_of(Shape shape);
 
-/// Where a shader has its fitted lobes from: constants, textures of one lobe, or of two.
-enum class Lobe { polynomial, table, two_lobe };
+/// Where a shader has its fitted lobes from: constants of one lobe or of two, textures of one or of
+/// two.
+enum class Lobe { polynomial, two_lobe_polynomial, table, two_lobe };
+
+/// Whether there are two lobes.
+constexpr bool has_two(Lobe lobe) {
+  return lobe == Lobe::two_lobe_polynomial || lobe == Lobe::two_lobe;
+}
+
+/// Whether they are constants of the file.
+constexpr bool is_constant(Lobe lobe) {
+  return lobe == Lobe::polynomial || lobe == Lobe::two_lobe_polynomial;
+}
 
 /// "polynomial": how the command line names it.
 std::string name_of(Lobe lobe);

@@ -5,6 +5,7 @@
 
 #include "openltc/api/ggx_polynomial.inc"
 #include "openltc/api/ggx_table.inc"
+#include "openltc/api/ggx_two_lobe_polynomial.inc"
 #include "openltc/api/ggx_two_lobes.inc"
 
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ public:
   }
   // What a surface takes of a table, before the rest.
   std::string table() const {
-    if (request_.lobe == Lobe::polynomial) return {};
+    if (is_constant(request_.lobe)) return {};
     return std::string("coefficients, amplitudes") +
            (request_.lobe == Lobe::two_lobe ? ", second" : "") + sampler("table") + ", ";
   }
@@ -94,6 +95,10 @@ std::string lobe_lines(const ShaderRequest& request) {
         "// Lobe   one, by polynomials of degree {} in this file: no texture. It differs "
         "from the BRDF by a\n{}",
         k_ggx_polynomial_degree, error(k_ggx_polynomial_metadata));
+  case Lobe::two_lobe_polynomial:
+    return fmt::format("// Lobes  two, by polynomials of degree {} in this file: no texture. They "
+                       "differ from the BRDF by a\n{}",
+                       k_ggx_two_lobe_polynomial_degree, error(k_ggx_two_lobe_polynomial_metadata));
   case Lobe::table:
     return fmt::format("// Lobe   one, {}//        `{} -o ggx.dds` differ from the BRDF by a\n{}",
                        bound, k_ggx_table_metadata.command, error(k_ggx_table_metadata));
@@ -135,10 +140,9 @@ std::string head_of(const ShaderRequest& request) {
   const std::string& prefix = request.prefix;
   std::string out =
       "// Copyright (c) 2026 The OpenLTC authors\n// SPDX-License-Identifier: MIT\n//\n";
-  out += fmt::format(
-      "// Light of area lights in closed form, by linearly transformed cosines (LTC), in {}.\n"
-      "// Shapes: {}.\n//\n",
-      words_of(request.language).title, joined_names(request.shapes, ", "));
+  out += fmt::format("// Area lights in closed form, by linearly transformed cosines (LTC).\n"
+                     "// Language: {}. Shapes: {}.\n//\n",
+                     words_of(request.language).title, joined_names(request.shapes, ", "));
   out += fmt::format(
       "// Made by OpenLTC {} from its shading source, and readable and yours to change like that:\n"
       "//   {}\n//\n",
@@ -163,8 +167,12 @@ std::string head_of(const ShaderRequest& request) {
       "//   {0}set_geometric_normal    where a normal map turns the normal: hides what the "
       "triangle does\n"
       "//   {0}correct_at_mean         small lights become exact, for a few instructions more\n"
-      "//   {0}shade_..._parts         diffuse and specular light apart\n",
-      prefix);
+      "{1}",
+      prefix,
+      request.shapes == std::vector<Shape>{Shape::textured}
+          ? ""
+          : fmt::format("//   {}shade_..._parts         diffuse and specular light apart\n",
+                        prefix));
   out += fmt::format("//\n// Comments are those of the source: names have no {} there, a lane is "
                      "an invocation, and files that\n"
                      "// they name are OpenLTC's, as is docs/method.md, where all is derived.\n",

@@ -15,7 +15,8 @@ struct EmbeddedFile {
   const char* text;
 };
 
-/// openltc/shade/*.glsl, openltc/shaders/dialect/*.glsl and openltc/target/shade_all.inc.
+/// openltc/shade/*.glsl and its rooms, openltc/shaders/dialect/*.glsl and
+/// openltc/target/shade_all.inc.
 const std::vector<EmbeddedFile>& embedded_files();
 
 } // namespace openltc::shaders

@@ -95,7 +95,7 @@ std::string Writer::constant(const Item& item) {
     return lay_out(joined({piece(begin + " = "), expression(item.body).piece, piece(";")}), 0,
                    k_width) +
            "\n";
-  const bool constructor = language_ == Language::glsl || language_ == Language::glsl_es;
+  const bool constructor = language_ != Language::hlsl && language_ != Language::metal;
   const std::string open = fmt::format("{}[{}](", type(item.type), item.elements.size());
   return fmt::format("{}[{}] = {};\n", begin, item.elements.size(),
                      elements(item, constructor ? open.c_str() : "{", constructor ? ")" : "}"));

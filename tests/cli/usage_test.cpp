@@ -75,7 +75,8 @@ TEST_CASE("help_of_each_command_lists_its_options_and_examples") {
         "openltc fit"}},
       {"shaders",
        {"--language", "glsl|glsl-es|hlsl|metal|wgsl|gdshader", "--lobe",
-        "polynomial|table|two-lobe", "--shapes", "textured", "--prefix", "-o,", "openltc shaders"}},
+        "polynomial|two-lobe-polynomial|table|two-lobe", "--shapes", "textured", "--prefix", "-o,",
+        "openltc shaders"}},
       {"convert", {"--layout", "--precision", "--from-layout", "--size", "openltc convert"}},
       {"compare", {"--metric", "--diff", "--json", "FLIP", "openltc compare"}},
       {"inspect", {"--json", ".glb", ".exr", "openltc inspect"}}};

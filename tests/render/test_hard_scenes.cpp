@@ -175,7 +175,7 @@ void check(const std::string& name, const Measured& measured, double bound, doub
 
 TEST_CASE("hard scenes: a metal floor under a sphere, seen up to its horizon") {
   const scene::Scene scene = load("floor_sphere_45");
-  check("sphere", measure(scene, of_sphere(scene.lights.spheres.at(0)), 24), 0.1455, 0.0555);
+  check("sphere", measure(scene, of_sphere(scene.lights.spheres.at(0)), 24), 0.1455, 0.0446);
 }
 
 TEST_CASE("hard scenes: a metal floor before a wall of light") {

@@ -189,6 +189,8 @@ TEST_CASE("two lobes come closer to the reference than one, in every kernel alik
 
 TEST_CASE("two lobes are taken where lights are few") {
   light::Lights lights;
+  lights.punctual.resize(1);
+  CHECK_FALSE(f64::lobe_table_has_second(render::builtin_lobes_for(lights).table));
   lights.lines.resize(render::k_many_lights - 1);
   CHECK(f64::lobe_table_has_second(render::builtin_lobes_for(lights).table));
   lights.spheres.resize(1);

@@ -4,6 +4,7 @@
 // Pearson's chi-square test of every sampler against its density.
 
 #include "openltc/target/shade_f64.h"
+#include "tests/shade/chi_square.h"
 #include "tests/shade/random.h"
 #include "tests/shade/sphere_quadrature.h"
 
@@ -14,18 +15,12 @@
 #include <vector>
 
 using namespace openltc;
+using testing::chi_square_p;
+using testing::p_of_counts;
 using testing::Random;
 using testing::SphereMap;
 
 namespace {
-
-// Probability that a chi-square variable of k degrees exceeds x: Wilson and Hilferty 1931, the cube
-// root is nearly normal.
-double chi_square_p(double x, int k) {
-  const double c = 2.0 / (9.0 * k);
-  const double z = (std::cbrt(x / k) - (1 - c)) / std::sqrt(c);
-  return 0.5 * std::erfc(z / std::sqrt(2.0));
-}
 
 // p-value of `count` samples against `pdf`, in 20 x 20 bins around `axis`. What the density lacks
 // to 1 is expected where the samples' z is not positive if `loses_below`.
@@ -86,19 +81,6 @@ double p_value(Vec3d axis, double width, Sample sample, Pdf pdf, bool loses_belo
     ++degrees;
   } else if (pooled_observed > 10) {
     return 0; // samples where there should be none
-  }
-  return chi_square_p(x, degrees);
-}
-
-// The same for counts in bins; those that expect fewer than 10 say nothing.
-double p_of_counts(const std::vector<double>& expected, const std::vector<double>& observed) {
-  double x = 0;
-  int degrees = -1;
-  for (std::size_t bin = 0; bin < expected.size(); ++bin) {
-    if (expected[bin] < 10) continue;
-    const double d = observed[bin] - expected[bin];
-    x += d * d / expected[bin];
-    ++degrees;
   }
   return chi_square_p(x, degrees);
 }

@@ -4,6 +4,7 @@
 // Small pieces of the dialect in every shading language; what is expected is written by hand, from
 // the languages' own rules.
 
+#include "openltc/shaders/arguments.h"
 #include "openltc/shaders/parser.h"
 #include "openltc/shaders/simplify.h"
 #include "openltc/shaders/writer.h"
@@ -116,6 +117,31 @@ TEST_CASE("what is known beforehand is decided") {
                 "  return a;\n}") ==
         "float x_f(Surface s, float a) {\n  if (a > 2.0) {\n    a = 1.0 / a;\n  }\n  a = 4.0;\n"
         "  return a;\n}\n");
+}
+
+TEST_CASE("an argument that is the same in all calls is none") {
+  const auto settled = [](const std::string& calls) {
+    Result<SourceFile> file =
+        parse_file("// Test.\n\nFN Real f(Real a, bool b) {\n  if (b) {\n    a = Real(2.0);\n"
+                   "  }\n  return a;\n}\nFN Real g(Real a, bool c) { return " +
+                       calls + "; }",
+                   "test.glsl");
+    REQUIRE(file);
+    std::vector<SourceFile> files = {*file};
+    for (Item& item : files[0].items)
+      simplify(item, Facts());
+    settle_arguments(files, Facts());
+    const std::unique_ptr<Writer> writer = make_writer(Language::glsl, "x_", {}, {"f", "g"});
+    return writer->item(files[0].items[0]) + writer->item(files[0].items[1]);
+  };
+  CHECK(
+      settled("f(a, false) + f(a, false)") ==
+      "float x_f(float a) { return a; }\nfloat x_g(float a, bool c) { return x_f(a) + x_f(a); }\n");
+  const std::string kept =
+      "float x_f(float a, bool b) {\n  if (b) {\n    a = 2.0;\n  }\n  return a;\n}\n";
+  CHECK(settled("f(a, false) + f(a, true)") ==
+        kept + "float x_g(float a, bool c) { return x_f(a, false) + x_f(a, true); }\n");
+  CHECK(settled("f(a, c)") == kept + "float x_g(float a, bool c) { return x_f(a, c); }\n");
 }
 
 TEST_CASE("comments stay where they are") {

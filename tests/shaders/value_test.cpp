@@ -5,6 +5,7 @@
 // take another way: they are clipped as a whole.
 
 #include "openltc/api/ggx_polynomial.inc"
+#include "openltc/api/ggx_two_lobe_polynomial.inc"
 #include "openltc/api/polygon_packing.h"
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f64.h"
@@ -177,20 +178,33 @@ Sample make_sample(Random& random, metal_run::Shape shape) {
   return sample;
 }
 
-f64::Surface surface_of(const metal_run::Case& at, const LobeTableView* two_lobes) {
+enum class Lobes { polynomial, two_lobe_polynomial, two_lobe_table };
+
+LobePolynomialView polynomial_of(Lobes lobes) {
+  LobePolynomialView view;
+  const bool two = lobes == Lobes::two_lobe_polynomial;
+  view.coefficients = two ? k_ggx_two_lobe_polynomial : k_ggx_polynomial;
+  view.degree = two ? k_ggx_two_lobe_polynomial_degree : k_ggx_polynomial_degree;
+  if (two) view.second = k_ggx_two_lobe_polynomial_second;
+  return view;
+}
+
+f64::Surface surface_of(const metal_run::Case& at, Lobes lobes) {
   const double roughness = double(at.roughness), metallic = double(at.metallic);
   const Vec3d n = load(at.normal), wo = load(at.view), base = load(at.base_color);
-  const LobePolynomialView polynomial = {k_ggx_polynomial, k_ggx_polynomial_degree};
+  const LobePolynomialView polynomial = polynomial_of(lobes);
+  const LobeTableView table = table::builtin_ggx_two_lobe_table().view();
+  const bool from_table = lobes == Lobes::two_lobe_table;
   const Vec3d f0 = Vec3d(0.04) * (1 - metallic) + base * metallic;
-  const double cosine = dot(n, wo);
-  const f64::FittedLobe fitted =
-      two_lobes
-          ? f64::fetch_lobe_of_roughness(*two_lobes, roughness, cosine)
-          : f64::eval_lobe_polynomial(polynomial, f64::alpha_from_roughness(roughness), cosine);
+  const double cosine = dot(n, wo), alpha = f64::alpha_from_roughness(roughness);
+  const f64::FittedLobe fitted = from_table ? f64::fetch_lobe_of_roughness(table, roughness, cosine)
+                                            : f64::eval_lobe_polynomial(polynomial, alpha, cosine);
   f64::Surface s = f64::make_surface(fitted, load(at.position), n, wo, base * (1 - metallic), f0,
                                      Vec3d(1.0), roughness);
-  if (two_lobes)
-    s = f64::add_second_lobe(s, f64::fetch_second_lobe_of_roughness(*two_lobes, roughness, cosine));
+  if (from_table)
+    s = f64::add_second_lobe(s, f64::fetch_second_lobe_of_roughness(table, roughness, cosine));
+  if (lobes == Lobes::two_lobe_polynomial)
+    s = f64::add_second_lobe(s, f64::eval_second_lobe_polynomial(polynomial, alpha, cosine));
   if (at.tilted) s = f64::set_geometric_normal(s, load(at.geometric));
   return at.corrected ? f64::correct_at_mean(s) : s;
 }
@@ -278,27 +292,29 @@ struct Errors {
   int lit = 0;
 };
 
+metal_run::Light light_of(const metal_run::Case& at, Lobes lobes, const TableTextures& textures) {
+  if (lobes == Lobes::polynomial) return metal_run::shade_by_polynomial(at);
+  if (lobes == Lobes::two_lobe_polynomial) return metal_run::shade_by_two_lobe_polynomial(at);
+  return metal_run::shade_by_two_lobes(at, {&textures.levels[0], 1}, {&textures.levels[1], 1},
+                                       {&textures.levels[2], 1});
+}
+
 // Of what the file says, relative to the light, or to a thousandth where there is less.
-Errors errors_of(metal_run::Shape shape, const LobeTableView* two_lobes) {
+Errors errors_of(metal_run::Shape shape, Lobes lobes) {
   constexpr int k_samples = 1500;
   constexpr const char* k_names[] = {"quad", "polygon", "disk",    "sphere",
                                      "tube", "line",    "textured"};
+  constexpr const char* k_lobes[] = {"polynomial", "two-lobe polynomial", "two-lobe table"};
   Random random(std::uint64_t(shape) + 1);
   const Mips mips(32);
-  std::vector<TableTextures> textures;
-  if (two_lobes) textures.emplace_back(*two_lobes);
+  const TableTextures textures(table::builtin_ggx_two_lobe_table().view());
   Errors errors;
   for (int i = 0; i < k_samples; ++i) {
     Sample sample = make_sample(random, shape);
     sample.at.polygon = sample.elements.data();
     sample.at.picture = {mips.levels.data(), int(mips.levels.size())};
-    const metal_run::Light light =
-        two_lobes ? metal_run::shade_by_two_lobes(sample.at, {&textures[0].levels[0], 1},
-                                                  {&textures[0].levels[1], 1},
-                                                  {&textures[0].levels[2], 1})
-                  : metal_run::shade_by_polynomial(sample.at);
-    const f64::ShadedLight expected =
-        expected_light(surface_of(sample.at, two_lobes), sample, mips);
+    const metal_run::Light light = light_of(sample.at, lobes, textures);
+    const f64::ShadedLight expected = expected_light(surface_of(sample.at, lobes), sample, mips);
     const Vec3d sum = expected.diffuse + expected.specular;
     const double scale = std::max({sum.x, sum.y, sum.z, 1e-3});
     const Vec3d off = load(light.diffuse) - expected.diffuse;
@@ -310,8 +326,8 @@ Errors errors_of(metal_run::Shape shape, const LobeTableView* two_lobes) {
     errors.worst = std::max(errors.worst, error);
     if (sum.y > 1e-3) ++errors.lit;
   }
-  MESSAGE(fmt::format("{}{}: mean {:.2g}, worst {:.2g}, lit {}", k_names[shape],
-                      two_lobes ? ", two lobes" : "", errors.mean, errors.worst, errors.lit));
+  MESSAGE(fmt::format("{}, {}: mean {:.2g}, worst {:.2g}, lit {}", k_names[shape],
+                      k_lobes[int(lobes)], errors.mean, errors.worst, errors.lit));
   return errors;
 }
 
@@ -319,9 +335,9 @@ Errors errors_of(metal_run::Shape shape, const LobeTableView* two_lobes) {
 
 TEST_CASE("shader files compute the light of the source in double precision") {
   for (int shape = 0; shape < metal_run::k_shapes; ++shape)
-    for (const bool two : {false, true}) {
-      const LobeTableView table = table::builtin_ggx_two_lobe_table().view();
-      const Errors errors = errors_of(metal_run::Shape(shape), two ? &table : nullptr);
+    for (const Lobes lobes :
+         {Lobes::polynomial, Lobes::two_lobe_polynomial, Lobes::two_lobe_table}) {
+      const Errors errors = errors_of(metal_run::Shape(shape), lobes);
       CHECK(errors.mean < 1e-5);
       CHECK(errors.worst < 2e-3);
       CHECK(errors.lit > 300); // or the test sees nothing

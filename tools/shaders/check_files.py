@@ -6,8 +6,8 @@
     check_files.py OPENLTC glsl|wgsl|metal|hlsl WORK_DIR [--cxx COMPILER] [--shape SHAPE]
     check_files.py OPENLTC count WORK_DIR
 
-glsl    GLSL 4.50, HLSL and Godot's language (as GLSL 4.50, whose subset it is but for its uniforms) by
-        glslang, each then by spirv-val; GLSL ES 3.00 by glslang
+glsl    GLSL 4.50 and HLSL by glslang, each then by spirv-val; GLSL ES 3.00, and as that Godot's language, which
+        is a subset of it but for uniforms
 wgsl    by naga
 metal   as C++14, with tests/shaders/metal/metal_stdlib for its library
 hlsl    by DXC, to DXIL and to SPIR-V, and by Slang to SPIR-V; both are fetched from PyPI first, 82 MB
@@ -33,7 +33,7 @@ import hlsl_compilers  # noqa: E402
 from check_shaders import install_naga, k_exit_skipped, k_root, need  # noqa: E402
 
 k_shapes = ["quad", "polygon", "disk", "sphere", "tube", "line", "textured"]
-k_lobes = ["polynomial", "table", "two-lobe"]
+k_lobes = ["polynomial", "two-lobe-polynomial", "table", "two-lobe"]
 k_all_cases = [([shape], "polynomial") for shape in k_shapes] + [(["all"], lobe) for lobe in k_lobes]
 k_few_cases = [(["quad"], "polynomial"), (["all"], "polynomial"), (["all"], "two-lobe")]
 k_languages = {"glsl": ["glsl", "glsl-es", "hlsl", "gdshader"], "wgsl": ["wgsl"], "metal": ["metal"],
@@ -69,6 +69,8 @@ def glsl_shader(text, es):
     polygons = ("uniform highp vec4 polygons[64];" if es else
                 "layout(set = 0, binding = 5, std430) readonly buffer Polygons { vec4 polygons[]; };")
     head = ["#version 300 es" if es else "#version 450"]
+    if es and "precision highp float;" not in text:
+        head += ["precision highp %s;" % kind for kind in ("float", "int", "sampler2D")]
     head += ["%suniform %ssampler2D %s;" % (at(i), highp, name) for i, name in enumerate(k_textures)]
     head += [polygons, "%svec4 ltc_polygon_data(int i) { return polygons[i]; }" % highp,
              "%suniform Values { %s %s int outline; };" % (
@@ -137,7 +139,7 @@ def run(command):
 
 def check_glslang(language, source):
     """Compiles a shader of GLSL or HLSL and validates its SPIR-V."""
-    if language == "glsl-es":
+    if language in ("glsl-es", "gdshader"):
         return run(["glslangValidator", source])
     spirv = source + ".spv"
     command = ["glslangValidator", "-V", "--target-env", "vulkan1.1", "-o", spirv]
@@ -183,7 +185,7 @@ def write_shaders(openltc, language, work, shape=None):
         with open(path, encoding="utf-8") as stream:
             text = stream.read()
         shader = {"hlsl": hlsl_shader, "wgsl": wgsl_shader, "metal": lambda text: metal_shader(text, path)}.get(
-            language, lambda text: glsl_shader(text, language == "glsl-es"))(text)
+            language, lambda text: glsl_shader(text, language != "glsl"))(text)
         endings = {"hlsl": ".hlsl", "wgsl": ".wgsl", "metal": ".cpp"}
         source = os.path.join(work, "shader_" + os.path.splitext(os.path.basename(path))[0]
                               + endings.get(language, ".frag"))

@@ -86,7 +86,7 @@ def compile_templates(root, work):
         print("%s: %s" % (name, "does not compile" if error else "compiles"), flush=True)
         if error:
             failures.append("%s:\n%s" % (name, error))
-    for path in sorted(glob.glob(os.path.join(root, "openltc/shade/*.glsl"))):
+    for path in sorted(glob.glob(os.path.join(root, "openltc/shade/**/*.glsl"), recursive=True)):
         if os.path.relpath(path, root) not in included:
             failures.append("%s is not in openltc/target/shade_all.inc" % os.path.relpath(path, root))
     return spirv_files, failures

@@ -31,25 +31,8 @@ using testing::LightBatch;
 using testing::LightCase;
 using testing::LightShape;
 using testing::LightTarget;
-using testing::Random;
 
 namespace {
-
-// Odd seeds are adversarial.
-std::vector<LightCase> make_lights(LightShape shape, std::uint64_t seed) {
-  Random random(seed * std::uint64_t(testing::k_light_shapes) + std::uint64_t(shape));
-  const bool adversarial = seed % 2 == 1;
-  std::vector<LightCase> lights;
-  for (int i = 0; i < k_batch; ++i) {
-    if (i > 0 && testing::is_polygon(shape))
-      lights.push_back(testing::elsewhere(lights[0], adversarial, random));
-    else if (adversarial)
-      lights.push_back(testing::adversarial_light(shape, random));
-    else
-      lights.push_back(testing::random_light(shape, random));
-  }
-  return lights;
-}
 
 LightBatch make_batch(const std::vector<LightCase>& lights) {
   LightBatch batch;
@@ -128,7 +111,7 @@ void print_lane(const LightCase& light, const LightAnswers& a, int i, const char
 }
 
 int replay(LightShape shape, std::uint64_t seed) {
-  const std::vector<LightCase> lights = make_lights(shape, seed);
+  const std::vector<LightCase> lights = testing::fuzz_lights(shape, seed);
   const LightBatch batch = make_batch(lights);
   int wrong = 0;
   for (const LightTarget& target : testing::light_targets()) {
@@ -152,7 +135,7 @@ struct Tally {
 };
 
 void run_batch(LightShape shape, std::uint64_t seed, std::vector<Tally>& tallies) {
-  const std::vector<LightCase> lights = make_lights(shape, seed);
+  const std::vector<LightCase> lights = testing::fuzz_lights(shape, seed);
   const LightBatch batch = make_batch(lights);
   const std::vector<LightTarget>& targets = testing::light_targets();
   for (std::size_t t = 0; t < targets.size(); ++t) {

@@ -371,4 +371,18 @@ LightCase elsewhere(const LightCase& light, bool adversarial, Random& random) {
   return other;
 }
 
+std::vector<LightCase> fuzz_lights(LightShape shape, std::uint64_t seed) {
+  Random random(seed * std::uint64_t(k_light_shapes) + std::uint64_t(shape));
+  const bool adversarial = seed % 2 == 1;
+  std::vector<LightCase> lights;
+  for (int i = 0; i < k_batch; ++i) {
+    if (i > 0 && is_polygon(shape))
+      lights.push_back(elsewhere(lights[0], adversarial, random));
+    else
+      lights.push_back(adversarial ? adversarial_light(shape, random)
+                                   : random_light(shape, random));
+  }
+  return lights;
+}
+
 } // namespace openltc::testing

@@ -10,7 +10,9 @@
 #include "tests/shade/polygon_fixture.h"
 #include "tests/shade/random.h"
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace openltc::testing {
 
@@ -65,5 +67,9 @@ f64::LightIntegral evaluate_precise(const LightCase& light, const CaseView& view
 
 /// Another surface point and roughness before the same light, for lanes that share a polygon.
 LightCase elsewhere(const LightCase& light, bool adversarial, Random& random);
+
+/// k_batch lights of a seed; those of odd seeds are adversarial. Of a polygon all are the same
+/// light.
+std::vector<LightCase> fuzz_lights(LightShape shape, std::uint64_t seed);
 
 } // namespace openltc::testing

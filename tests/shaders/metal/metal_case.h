@@ -41,6 +41,9 @@ struct Light {
 /// By the file with polynomials.
 Light shade_by_polynomial(const Case& at);
 
+/// By the file with polynomials of two lobes.
+Light shade_by_two_lobe_polynomial(const Case& at);
+
 /// By the file with two lobes, from textures.
 Light shade_by_two_lobes(const Case& at, const Picture& coefficients, const Picture& amplitudes,
                          const Picture& second);

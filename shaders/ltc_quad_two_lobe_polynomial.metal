@@ -1,0 +1,1642 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Area lights in closed form, by linearly transformed cosines (LTC).
+// Language: Metal Shading Language 2.0 or later. Shapes: quad.
+//
+// Made by OpenLTC 0.1.0 from its shading source, and readable and yours to change like that:
+//   openltc shaders --language metal --lobe two-lobe-polynomial --shapes quad
+//
+// BRDF   GGX with height-correlated Smith masking and Schlick's Fresnel, over Lambert.
+// Lobes  two, by polynomials of degree 4 in this file: no texture. They differ from the BRDF by a
+//        total variation 0.019 in the mean, 0.20 at most, which bounds the error of every light
+//        (docs/fitting.md).
+//
+// How to call it:
+//   ltc_Surface surface = ltc_gltf_surface(position, normal, view, base_color, metallic, roughness);
+//   ltc_Quad lamp = ltc_make_quad(center, half_u, half_v, 0.0);
+//   light += radiance * ltc_shade_quad(surface, lamp);
+// `normal`, on the viewer's side, and `view`, to the eye, are unit and in world space, like all else;
+// a lamp emits along half_u x half_v. The result has no shadow. One `surface` serves all lights.
+//
+// More:
+//   ltc_surface_at              a surface of any reflectance, instead of glTF's
+//   ltc_set_geometric_normal    where a normal map turns the normal: hides what the triangle does
+//   ltc_correct_at_mean         small lights become exact, for a few instructions more
+//   ltc_shade_..._parts         diffuse and specular light apart
+//
+// Comments are those of the source: names have no ltc_ there, a lane is an invocation, and files that
+// they name are OpenLTC's, as is docs/method.md, where all is derived.
+
+#include <metal_stdlib>
+using namespace metal;
+
+// ---- constants ----------------------------------------------------------------------------------
+//
+// Constants. CONSTANT is a compile-time scalar in every target.
+
+// pi
+constant float ltc_k_pi = 3.14159265358979323846;
+
+// 1 / pi
+constant float ltc_k_inv_pi = 0.31830988618379067154;
+
+// 1 / (2 pi)
+constant float ltc_k_half_inv_pi = 0.15915494309189533577;
+
+// Smallest microfacet width that shading uses: roughness 0.01. A perfect mirror has no finite
+// density; at this width the lobe is 0.01 degrees wide, below what a pixel resolves, and single
+// precision still carries it.
+constant float ltc_k_min_alpha = 1.0e-4;
+
+// What rounding may make of a distance of 0 from a plane, relative to that from the plane's origin:
+// four units in the last place of single precision.
+constant float ltc_k_plane_rounding = 2.5e-7;
+
+// Rounding of a position on a triangle in world space, relative to its distance from the origin: some
+// ten units in the last place of single precision.
+constant float ltc_k_position_rounding = 6.0e-7;
+
+// Length of the difference of two unit normals up to which they are the same: some ten units in the
+// last place of single precision.
+constant float ltc_k_normal_rounding = 1.0e-6;
+
+// Least share of a lobe above the horizon that its amplitude is divided by. Fitted lobes have 0.7
+// and more there; a lobe of a damaged table must not magnify rounding.
+constant float ltc_k_min_share = 0.01;
+
+// Most that a light's specular part is multiplied by (blended_ratio), so that it fades where a light
+// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is 16 times
+// the lobe, there is next to nothing of either.
+constant float ltc_k_max_ratio = 64.0;
+
+// Added under a division or a square root whose argument may vanish; far below any length in use.
+constant float ltc_k_tiny = 1.0e-30;
+
+// Added to the square of a length under an inverse root: the product of two inverse lengths, at most
+// 1e11 each, and an inverse sine, at most 1e15, stays finite.
+constant float ltc_k_least_length2 = 1.0e-22;
+
+// ---- polynomial coefficients --------------------------------------------------------------------
+
+// Total degree of the polynomials in both variables.
+constant int ltc_k_polynomial_degree = 4;
+
+// Coefficients of A, B, C and D, a term a row.
+constant float4 ltc_k_polynomial_mirror[15] = {
+    float4(0.6684992, -0.04486899, -0.3742451, 1.009632),
+    float4(0.06758968, -0.1535589, 0.7210233, -0.2845873),
+    float4(0.004091488, -0.1253967, -0.2566372, -0.01064743),
+    float4(-0.01566664, -0.04368816, 0.1606663, 0.02321908),
+    float4(-0.02014081, -0.0031236, -0.04077309, 0.002358826),
+    float4(-0.3632829, -0.2204252, 1.114247, -0.6057759),
+    float4(0.1585886, -0.1760545, -0.8230653, 0.5605917),
+    float4(-0.01041583, 0.08152768, 0.1875475, 0.1274003),
+    float4(-0.06059811, 0.07828534, -0.1157355, 0.009537508),
+    float4(-0.07688453, -0.01021927, 0.1342789, -0.2043831),
+    float4(0.03166083, 0.04311844, -0.2798677, 0.02953523),
+    float4(-0.01488154, 0.06909905, 0.2700341, 0.04433063),
+    float4(-0.005445439, 0.03622295, -0.192829, 0.03945945),
+    float4(0.002108049, 0.02975832, 0.1260877, 0.07533121),
+    float4(0.003490596, -0.006023269, 0.04105707, 0.01148369)};
+
+// And of n1 and s.
+constant float2 ltc_k_polynomial_amplitudes[15] = {
+    float2(0.8045086, 0.343843),
+    float2(-0.2724648, -0.05521916),
+    float2(-0.07661926, 0.02603711),
+    float2(0.008226918, -0.009146704),
+    float2(0.01169145, -0.001905162),
+    float2(0.07112518, 0.363317),
+    float2(0.1375234, -0.135376),
+    float2(0.07787056, -0.05730146),
+    float2(-0.003416058, 0.03913193),
+    float2(0.04123044, 0.04581396),
+    float2(0.07066337, -0.0722363),
+    float2(0.02702755, 0.05455893),
+    float2(0.01748315, 0.01933991),
+    float2(0.03402566, 0.01176714),
+    float2(0.008494951, -0.01617918)};
+
+// Of A, B, C and D of the second lobe.
+constant float4 ltc_k_polynomial_second[15] = {
+    float4(0.6977988, -0.5370848, 2.327541, 1.137528),
+    float4(-0.05734893, -0.3199765, -2.218499, -0.3114999),
+    float4(-0.1072739, 0.2505542, 1.084378, -0.1036041),
+    float4(-0.01620323, 0.009433195, -0.4174687, -0.004567176),
+    float4(0.01488794, -0.006363369, 0.09027648, 0.03614917),
+    float4(-0.4294794, -0.5179638, 1.605687, -0.8820117),
+    float4(-0.08483722, -0.3090234, -1.086789, 0.1186559),
+    float4(-0.1536245, 0.2945317, 0.4728343, 0.1667563),
+    float4(-0.01380092, -0.004990498, -0.1422311, -0.01157352),
+    float4(-0.1526719, 0.004081712, -0.07485001, -0.2813685),
+    float4(-0.01956786, 0.007883597, 0.09779286, 0.0654515),
+    float4(-0.03074923, 0.07476306, 0.01565662, 0.03598141),
+    float4(-0.03544606, 0.02047336, -0.01527661, -0.04006946),
+    float4(-0.007747206, -0.01509744, 0.06157315, 0.006004696),
+    float4(-0.01099384, 0.0114268, 0.01230633, -0.01852805)};
+
+// Of t, its share.
+constant float ltc_k_polynomial_tangent[15] = {
+    0.1983076,
+    1.019687,
+    -0.12175,
+    -0.01352897,
+    -0.01011376,
+    -0.665933,
+    0.2914406,
+    -0.4423339,
+    0.1093484,
+    0.1705617,
+    0.004709795,
+    -0.1758904,
+    0.04324978,
+    -0.2094045,
+    0.03434987};
+
+// ---- polynomial data ----------------------------------------------------------------------------
+//
+// Coefficients of the fitted lobe as constants: no texture.
+
+// Total degree in both variables.
+static inline int ltc_lobe_polynomial_degree() { return ltc_k_polynomial_degree; }
+
+// A B C D of a term.
+static inline float4 ltc_lobe_polynomial_mirror(int term) { return ltc_k_polynomial_mirror[term]; }
+
+// n1 and s of a term.
+static inline float2 ltc_lobe_polynomial_amplitudes(int term) {
+  return ltc_k_polynomial_amplitudes[term];
+}
+
+// ---- two lobe polynomial data -------------------------------------------------------------------
+//
+// Coefficients of the second lobe.
+
+// A B C D of a term.
+static inline float4 ltc_lobe_polynomial_second(int term) { return ltc_k_polynomial_second[term]; }
+
+// t of a term, from which the second lobe's share follows.
+static inline float ltc_lobe_polynomial_tangent(int term) { return ltc_k_polynomial_tangent[term]; }
+
+// ---- quad data ----------------------------------------------------------------------------------
+//
+// A light of four corners, known by its middle.
+
+// A rectangle or parallelogram in world space; emits along half_u x half_v.
+struct ltc_Quad {
+  float3 center;   // world space
+  float3 half_u;   // from there to the middle of one side, metres
+  float3 half_v;   // and to that of the next, counter-clockwise as seen from the front
+  float two_sided; // 0 or 1
+};
+
+// Corner i, counter-clockwise as seen from the front; 4 is the first again.
+static inline float3 ltc_quad_point(ltc_Quad quad, int i) {
+  float u = i == 1 || i == 2 ? 1.0 : -1.0;
+  float v = i == 2 || i == 3 ? 1.0 : -1.0;
+  return quad.center + quad.half_u * u + quad.half_v * v;
+}
+
+// A point of its plane.
+static inline float3 ltc_quad_origin(ltc_Quad quad) { return quad.center; }
+
+// Unit, to the emitting side.
+static inline float3 ltc_quad_normal(ltc_Quad quad) {
+  float3 normal = cross(quad.half_u, quad.half_v);
+  return normal * rsqrt(max(dot(normal, normal), ltc_k_tiny));
+}
+
+// Whether it emits to both sides.
+static inline bool ltc_quad_two_sided(ltc_Quad quad) { return quad.two_sided > 0.0; }
+
+// Square metres.
+static inline float ltc_quad_area(ltc_Quad quad) {
+  float3 normal = cross(quad.half_u, quad.half_v);
+  return sqrt(dot(normal, normal)) * 4.0;
+}
+
+// The middle of its area.
+static inline float3 ltc_quad_centroid(ltc_Quad quad) { return quad.center; }
+
+// The distance of the farthest corner from there.
+static inline float ltc_quad_radius(ltc_Quad quad) {
+  return sqrt(dot(quad.half_u, quad.half_u) + dot(quad.half_v, quad.half_v) +
+              2.0 * abs(dot(quad.half_u, quad.half_v)));
+}
+
+// sqrt(2/3): sqrt(2) times the standard deviation of -1..1.
+constant float ltc_k_quad_spread = 0.81649658092772603;
+
+// Half of what stands for it where it is small: the mean over centroid +- spread_u and +- spread_v is
+// that over its area for every quadratic function.
+static inline float3 ltc_quad_spread_u(ltc_Quad quad) { return quad.half_u * ltc_k_quad_spread; }
+
+// And the other half.
+static inline float3 ltc_quad_spread_v(ltc_Quad quad) { return quad.half_v * ltc_k_quad_spread; }
+
+// ---- frame --------------------------------------------------------------------------------------
+//
+// The shading frame: t1 in the plane of normal and view direction, t2 = n x t1, n.
+//
+// In it wo = (sin theta, 0, cos theta), so an isotropic BRDF depends on theta and roughness alone.
+
+// The shading frame of a point: the axes x, y and z of shading space, orthonormal.
+struct ltc_Frame {
+  float3 t1; // unit, world space
+  float3 t2; // n x t1
+  float3 n;  // the normal
+};
+
+// A unit vector perpendicular to the unit vector n, without a branch: Duff et al. 2017, "Building an
+// Orthonormal Basis, Revisited", equation 3.
+static inline float3 ltc_any_perpendicular(float3 n) {
+  float s = n.z < 0.0 ? -1.0 : 1.0;
+  float a = -1.0 / (s + n.z);
+  return float3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
+}
+
+// Frame of a unit normal and a unit direction to the viewer, world space. When the two are
+// parallel any tangent serves.
+static inline ltc_Frame ltc_shading_frame(float3 n, float3 wo) {
+  float3 in_plane = wo - n * dot(n, wo);
+  float length2 = dot(in_plane, in_plane);
+
+  // Below this sine, 1e-4, rounding would dominate the direction; the lobe is round there.
+  bool parallel = length2 < 1.0e-8;
+  float3 t1 = in_plane * rsqrt(max(length2, 1.0e-8));
+  // Uniform shortcut: no lane looks along its normal.
+  if (parallel) {
+    t1 = ltc_any_perpendicular(n);
+  }
+
+  ltc_Frame frame;
+  frame.t1 = t1;
+  frame.t2 = cross(n, t1);
+  frame.n = n;
+  return frame;
+}
+
+// A vector of world space in shading space.
+static inline float3 ltc_to_shading(ltc_Frame frame, float3 v_world) {
+  return float3(dot(frame.t1, v_world), dot(frame.t2, v_world), dot(frame.n, v_world));
+}
+
+// ---- ggx ----------------------------------------------------------------------------------------
+//
+// Trowbridge-Reitz (GGX) microfacet reflection with height-correlated Smith masking.
+//
+// Sources:
+//   Walter, Marschner, Li, Torrance 2007, "Microfacet Models for Refraction through Rough
+//     Surfaces", equation 33 (D);
+//   Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
+//     equations 72 and 99 (Lambda, height-correlated G2);
+//   Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", equation 24 (F);
+//   Dupuy, Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps", listing 3 (sampling).
+//
+// All directions are unit, in shading space, and point away from the surface.
+
+// Microfacet width from the artists' perceptual roughness, both 0..1.
+static inline float ltc_alpha_from_roughness(float roughness) {
+  return max(roughness * roughness, ltc_k_min_alpha);
+}
+
+// Distribution of normals D(h), 1/steradian; integral of D cos over the hemisphere is 1.
+//
+// With tan terms kept apart, h.x^2 + h.y^2 + alpha^2 h.z^2, nothing cancels at low roughness, as
+// it does in cos^2 (alpha^2 - 1) + 1.
+static inline float ltc_ggx_distribution(float3 h, float alpha) {
+  float alpha2 = alpha * alpha;
+  float t = h.x * h.x + h.y * h.y + alpha2 * h.z * h.z;
+  return alpha2 * ltc_k_inv_pi / max(t * t, ltc_k_tiny);
+}
+
+// Visibility V = G2 / (4 cos_o cos_i): the BRDF's denominator is already inside.
+static inline float ltc_smith_visibility(float cos_o, float cos_i, float alpha) {
+  float alpha2 = alpha * alpha;
+  float lambda_o = cos_i * sqrt(cos_o * cos_o * (1.0 - alpha2) + alpha2);
+  float lambda_i = cos_o * sqrt(cos_i * cos_i * (1.0 - alpha2) + alpha2);
+  return 0.5 / max(lambda_o + lambda_i, ltc_k_tiny);
+}
+
+// (1 - cos)^5, the weight of F90 in Schlick's approximation.
+static inline float ltc_schlick_weight(float o_dot_h) {
+  float m = min(max(1.0 - o_dot_h, 0.0), 1.0);
+  float m2 = m * m;
+  return m2 * m2 * m;
+}
+
+// schlick_weight at the microfacet that reflects one unit direction into the other, from their
+// cosine: wo.h = sqrt((1 + wo.wi) / 2).
+static inline float ltc_schlick_weight_between(float o_dot_i) {
+  return ltc_schlick_weight(sqrt(max(0.5 + 0.5 * o_dot_i, 0.0)));
+}
+
+// A GGX evaluation with Fresnel kept apart: f_s cos = f0 * scale + (f90 - f0) * bias.
+struct ltc_GgxTerms {
+  float scale; // D V cos_i
+};
+
+// D V cos_i and its Schlick part for a pair of directions; zero below the horizon.
+static inline ltc_GgxTerms ltc_eval_ggx_terms(float3 wo, float3 wi, float alpha) {
+  float3 sum = wo + wi;
+  float3 h = sum * rsqrt(max(dot(sum, sum), ltc_k_tiny));
+  float cos_o = wo.z;
+  float cos_i = wi.z;
+  bool above = cos_i > 0.0 && cos_o > 0.0;
+  float dv = ltc_ggx_distribution(h, alpha) *
+             ltc_smith_visibility(max(cos_o, 0.0), max(cos_i, 0.0), alpha);
+  ltc_GgxTerms terms;
+  terms.scale = above ? dv * cos_i : 0.0;
+  return terms;
+}
+
+// ---- lobe ---------------------------------------------------------------------------------------
+//
+// The lobe: a linearly transformed cosine.
+//
+// Source: Heitz, Dupuy, Hill, Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly
+// Transformed Cosines", equations 1, 2 and section 3.
+//
+// D_o(o) = max(0, o.z)/pi is the cosine on the hemisphere. A matrix M carries directions from
+// cosine space to shading space, w = M o / |M o|, and D_o to the lobe
+//   D(w) = D_o(o/|o|) |det M^-1| / |o|^3 = max(0, o.z) |det M^-1| / (pi |o|^4),   o = M^-1 w.
+// An isotropic BRDF is symmetric about the plane of incidence, so M^-1 is, with row 1 scaled to 1,
+//   [ m00  0  m02 ]
+//   [  0   1   0  ]
+//   [ m20  0  m22 ].
+
+// A lobe by its matrix M^-1.
+struct ltc_Lobe {
+  float m00; // M^-1, shading space to cosine space
+  float m02; // row 0, column 2
+  float m20; // row 2, column 0
+  float m22; // row 2, column 2
+  float det; // det M^-1 = m00 m22 - m02 m20, positive
+};
+
+// The lobe of these elements, whose determinant is positive.
+static inline ltc_Lobe ltc_make_lobe(float m00, float m02, float m20, float m22) {
+  ltc_Lobe lobe;
+  lobe.m00 = m00;
+  lobe.m02 = m02;
+  lobe.m20 = m20;
+  lobe.m22 = m22;
+  lobe.det = m00 * m22 - m02 * m20;
+  return lobe;
+}
+
+// The lobe of Lambert's BRDF: M = identity.
+static inline ltc_Lobe ltc_cosine_lobe() { return ltc_make_lobe(1.0, 0.0, 0.0, 1.0); }
+
+// The lobe from its native packing in the mirror frame.
+//
+// With x' = (cos, 0, sin), z' = (-sin, 0, cos), z' being the mirror direction of wo,
+//   M^-1 = [ A 0 aB ; 0 1 0 ; aC 0 aD ] [ x' ; y ; z' ],   a = alpha.
+// As alpha vanishes A tends to cos and D to 2 cos: four smooth, bounded functions, which
+// therefore interpolate well down to a mirror. Multiplied out:
+//   m00 = A cos - a B sin     m02 = A sin + a B cos
+//   m20 = a (C cos - D sin)   m22 = a (C sin + D cos).
+static inline ltc_Lobe ltc_lobe_from_mirror(float4 abcd, float alpha, float cos_theta) {
+  float sin_theta = sqrt(max(1.0 - cos_theta * cos_theta, 0.0));
+  float b = alpha * abcd.y;
+  ltc_Lobe lobe;
+  lobe.m00 = abcd.x * cos_theta - b * sin_theta;
+  lobe.m02 = abcd.x * sin_theta + b * cos_theta;
+  lobe.m20 = alpha * (abcd.z * cos_theta - abcd.w * sin_theta);
+  lobe.m22 = alpha * (abcd.z * sin_theta + abcd.w * cos_theta);
+  lobe.det = alpha * (abcd.x * abcd.w - alpha * abcd.y * abcd.z);
+  return lobe;
+}
+
+// M^-1 v: a vector of shading space in cosine space, not normalised.
+static inline float3 ltc_to_cosine(ltc_Lobe lobe, float3 v) {
+  return float3(lobe.m00 * v.x + lobe.m02 * v.z, v.y, lobe.m20 * v.x + lobe.m22 * v.z);
+}
+
+// M o up to a positive scale: the adjugate of M^-1 applied to a vector of cosine space.
+static inline float3 ltc_from_cosine(ltc_Lobe lobe, float3 o) {
+  return float3(lobe.m22 * o.x - lobe.m02 * o.z, lobe.det * o.y, lobe.m00 * o.z - lobe.m20 * o.x);
+}
+
+// An upper bound of the square by which M^-1 lengthens a vector: its Frobenius norm.
+static inline float ltc_lobe_stretch2(ltc_Lobe lobe) {
+  return 1.0 + lobe.m00 * lobe.m00 + lobe.m02 * lobe.m02 + lobe.m20 * lobe.m20 +
+         lobe.m22 * lobe.m22;
+}
+
+// The surface's normal in cosine space, unit: M^T z ~ (-m20, 0, m00), the normal of the plane to
+// which M^-1 takes the horizon.
+static inline float3 ltc_horizon_normal_cosine(ltc_Lobe lobe) {
+  float length2 = lobe.m00 * lobe.m00 + lobe.m20 * lobe.m20;
+  float inv_length = rsqrt(max(length2, ltc_k_tiny));
+  return float3(-lobe.m20 * inv_length, 0.0, lobe.m00 * inv_length);
+}
+
+// Integral of the lobe over the directions above the surface's horizon, 0..1; the rest leaks.
+//
+// In cosine space those directions are a lune, between the cosine's own horizon with normal z and
+// the surface's with normal m. Lambert's edge sum over its two edges, half circles of length pi,
+// makes (z + m) / 2 of it: the z component is this share, (1 + cos g) / 2 with g between z and m.
+static inline float ltc_share_above_horizon(ltc_Lobe lobe) {
+  return 0.5 + 0.5 * ltc_horizon_normal_cosine(lobe).z;
+}
+
+// Mean direction of the part of the lobe above the horizon, shading space, not normalised: (z + m)
+// / 2, the whole vector of that edge sum, carried back by M.
+static inline float3 ltc_mean_above_horizon(ltc_Lobe lobe) {
+  float3 m = ltc_horizon_normal_cosine(lobe);
+  float z = m.z + 1.0;
+  return float3(lobe.m22 * m.x - lobe.m02 * z, 0.0, lobe.m00 * z - lobe.m20 * m.x);
+}
+
+// Density D(w) per solid angle, 1 over the whole sphere; the lobe may reach below the horizon.
+static inline float ltc_eval_lobe(ltc_Lobe lobe, float3 wi_shading) {
+  float3 o = ltc_to_cosine(lobe, wi_shading);
+  // Two divisions by |o|^2 instead of one by |o|^4 keep single precision from overflowing.
+  float inv_length2 = 1.0 / max(dot(o, o), ltc_k_tiny);
+  return max(o.z, 0.0) * inv_length2 * (lobe.det * inv_length2) * ltc_k_inv_pi;
+}
+
+// ---- table --------------------------------------------------------------------------------------
+//
+// A fitted lobe and the amplitudes that belong to it, looked up in a table.
+//
+// Axes of the native table, node (0,0) at roughness 0 and normal incidence:
+//   x = sqrt(alpha) = roughness,   y = sqrt(1 - cos theta).
+// Node i of N lies at i/(N-1) of its axis.
+//
+// The prelude of each target gives a look-up with bilinear interpolation, `at` clamped to [0, 1]:
+//   LobeTexel lobe_table_texel(LobeTable, Vec2 at)
+//     .coefficients, Vec4  the mirror-frame coefficients A B C D
+//     .amplitudes, Vec2    n1 = integral of D V cos, n5 = integral of D V cos (1 - wo.h)^5
+//     .second_weight       share of n1 that the second lobe has, 0 in a table of one lobe
+//   bool lobe_table_has_second(LobeTable)
+//   Vec4 lobe_table_second(LobeTable, Vec2 at)  A B C D of the second lobe, where there is one
+
+// The lobe of a roughness and a view angle, and its amplitudes.
+struct ltc_FittedLobe {
+  ltc_Lobe lobe; // normalised: its integral is 1
+  float n1;      // directional albedo for F = 1
+  float n5;      // its Schlick-weighted part
+};
+
+// A second lobe beside a fitted one: the two share n1.
+struct ltc_SecondLobe {
+  ltc_Lobe lobe; // normalised: its integral is 1
+  float weight;  // its share of n1, 0..1; the first has the rest
+};
+
+// Amplitude of the specular lobe: F0 n1 + (F90 - F0) n5, the albedo of the whole lobe.
+static inline float3 ltc_specular_amplitude(ltc_FittedLobe fitted, float3 f0, float3 f90) {
+  return f0 * fitted.n1 + (f90 - f0) * fitted.n5;
+}
+
+// ---- polynomial ---------------------------------------------------------------------------------
+//
+// Fitted lobes without a table: a polynomial for each channel.
+//
+// With u = 2 sqrt(alpha) - 1 and v = 2 sqrt(1 - cos theta) - 1, both in [-1, 1] and the axes of the
+// native table (table.glsl), each of A, B, C, D (the mirror packing, lobe.glsl), n1 and s is
+//   sum over i + j <= degree of c_ij T_i(u) T_j(v),
+// T_n being Chebyshev's polynomials, T_0 = 1, T_1 = x, T_n+1 = 2 x T_n - T_n-1. They stay within
+// 1, so the coefficients show what each term is worth, and single precision loses nothing.
+//
+// Terms are numbered with j slow, from 0, and i fast, from 0 to degree - j. The prelude of each
+// target gives
+//   int  lobe_polynomial_degree(LobePolynomial)
+//   Vec4 lobe_polynomial_mirror(LobePolynomial, term)      c_ij of A B C D
+//   Vec2 lobe_polynomial_amplitudes(LobePolynomial, term)  c_ij of n1 s
+//   bool lobe_polynomial_has_second(LobePolynomial)
+//   Vec4 lobe_polynomial_second(LobePolynomial, term)      c_ij of A B C D of the second lobe
+//   Real lobe_polynomial_tangent(LobePolynomial, term)     c_ij of t, below
+//
+// s = (n5 / n1)^(1/5) stands in for n5: Schlick's (1 - cos)^5 is of degree ten in v, its root of
+// degree two. A dielectric's reflection, .04 n1 + .96 n5, hangs on n5 where that is small.
+//
+// The second lobe's share of n1 is w = (1 + t / sqrt(1 + t^2)) / 2, whatever t is: within 0..1 and
+// smooth, t being the tangent of an angle and (1 + its sine) / 2 the share.
+
+// The lobe and amplitudes for a microfacet width and the cosine of the view angle, whatever their
+// values: n1 >= 0, n5 in [0, n1], a determinant above 0. `width` is what was factored out of
+// M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
+static inline ltc_FittedLobe ltc_eval_lobe_polynomial_of_width(float alpha, float width,
+                                                               float cos_theta) {
+  float a = min(max(alpha, ltc_k_min_alpha), 1.0);
+  float c = min(max(cos_theta, 0.0), 1.0);
+  float u = 2.0 * sqrt(a) - 1.0;
+  float v = 2.0 * sqrt(1.0 - c) - 1.0;
+  float u_twice = u + u;
+  float v_twice = v + v;
+
+  // One recurrence over i makes the products T_i(u) T_j(v) themselves: it is linear, so it starts
+  // at T_j(v) instead of 1. All channels share it.
+  int degree = ltc_lobe_polynomial_degree();
+  float4 abcd = float4(0.0, 0.0, 0.0, 0.0);
+  float2 amplitudes = float2(0.0, 0.0);
+  float t_v = 1.0;
+  float t_v_before = v;
+  int term = 0;
+  for (int j = 0; j <= degree; ++j) {
+    float product = t_v;
+    float product_before = u * t_v;
+    for (int i = 0; i <= degree - j; ++i) {
+      abcd = abcd + ltc_lobe_polynomial_mirror(term) * product;
+      amplitudes = amplitudes + ltc_lobe_polynomial_amplitudes(term) * product;
+      float next = u_twice * product - product_before;
+      product_before = product;
+      product = next;
+      ++term;
+    }
+    float t_v_next = v_twice * t_v - t_v_before;
+    t_v_before = t_v;
+    t_v = t_v_next;
+  }
+
+  ltc_FittedLobe fitted;
+  fitted.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  fitted.lobe.det = max(fitted.lobe.det, ltc_k_tiny);
+  fitted.n1 = max(amplitudes.x, 0.0);
+  float s = min(max(amplitudes.y, 0.0), 1.0);
+  float s2 = s * s;
+  fitted.n5 = fitted.n1 * (s2 * s2 * s);
+  return fitted;
+}
+
+// The same of a microfacet BRDF, which reflects no more than it receives: n1 in [0, 1].
+static inline ltc_FittedLobe ltc_eval_lobe_polynomial(float alpha, float cos_theta) {
+  ltc_FittedLobe fitted = ltc_eval_lobe_polynomial_of_width(alpha, alpha, cos_theta);
+  float excess = max(fitted.n1, 1.0);
+  fitted.n1 = fitted.n1 / excess;
+  fitted.n5 = fitted.n5 / excess;
+  return fitted;
+}
+
+// The second lobe of a polynomial that has one (lobe_polynomial_has_second), whatever the values: a
+// determinant above 0, a weight in [0, 1]. `width` as above.
+static inline ltc_SecondLobe ltc_eval_second_lobe_polynomial_of_width(float alpha, float width,
+                                                                      float cos_theta) {
+  float a = min(max(alpha, ltc_k_min_alpha), 1.0);
+  float c = min(max(cos_theta, 0.0), 1.0);
+  float u = 2.0 * sqrt(a) - 1.0;
+  float v = 2.0 * sqrt(1.0 - c) - 1.0;
+  float u_twice = u + u;
+  float v_twice = v + v;
+
+  // The recurrence of the first lobe, over other coefficients: shaders of one lobe have none of these.
+  int degree = ltc_lobe_polynomial_degree();
+  float4 abcd = float4(0.0, 0.0, 0.0, 0.0);
+  float t = 0.0;
+  float t_v = 1.0;
+  float t_v_before = v;
+  int term = 0;
+  for (int j = 0; j <= degree; ++j) {
+    float product = t_v;
+    float product_before = u * t_v;
+    for (int i = 0; i <= degree - j; ++i) {
+      abcd = abcd + ltc_lobe_polynomial_second(term) * product;
+      t = t + ltc_lobe_polynomial_tangent(term) * product;
+      float next = u_twice * product - product_before;
+      product_before = product;
+      product = next;
+      ++term;
+    }
+    float t_v_next = v_twice * t_v - t_v_before;
+    t_v_before = t_v;
+    t_v = t_v_next;
+  }
+
+  ltc_SecondLobe second;
+  second.lobe = ltc_lobe_from_mirror(abcd, min(max(width, ltc_k_min_alpha), 1.0), c);
+  second.lobe.det = max(second.lobe.det, ltc_k_tiny);
+  second.weight = 0.5 + 0.5 * t * rsqrt(1.0 + t * t);
+  return second;
+}
+
+// The same of a microfacet BRDF.
+static inline ltc_SecondLobe ltc_eval_second_lobe_polynomial(float alpha, float cos_theta) {
+  return ltc_eval_second_lobe_polynomial_of_width(alpha, alpha, cos_theta);
+}
+
+// ---- edge ---------------------------------------------------------------------------------------
+//
+// Edges of what a lobe is integrated over: clipped to both horizons, closed at an apex.
+//
+// Sources:
+//   Lambert 1760; Baum, Rushmeier, Winget 1989, "Improving Radiosity Solutions Through the Use of
+//     Analytically Determined Form-Factors", equation 9 (edge sum);
+//   Heitz, Dupuy, Hill, Neubelt 2016, equations 4 to 11 (the integral under M^-1).
+//
+// For a polygon in cosine space, wholly above its horizon,
+//   E = 1/(2 pi) sum over edges of theta_k (a_k x b_k)_z / |a_k x b_k|,
+// theta_k being the angle between the edge's end points a_k and b_k as seen from the origin.
+//
+// Two horizons bound what counts: the surface's, z >= 0 before M^-1, and the cosine's, z_o >= 0
+// after it. Together they leave a wedge whose apex is the line through the origin along which both
+// planes meet. M^-1 keeps the y axis (see lobe.glsl), so that line is the y axis in either space.
+//
+// Each edge is clipped to the wedge by itself. Where it enters or leaves, the outline of the
+// clipped polygon continues along one of the two planes, and we close it by an arc to the apex: to
+// +y or -y, whichever the polygon's plane meets. Arcs on the same plane telescope, whatever the
+// order of the edges, so concave outlines, holes and any number of vertices need no clip buffer and
+// no search for neighbours: the result is a plain sum over edges. The arc to the apex q = (0, s, 0)
+// has (p x q)_z = s p_x.
+
+// 1 / |v|, finite for the origin too: what is added vanishes beside lengths above 1e-8.
+static inline float ltc_inverse_length(float3 v) {
+  return rsqrt(v.x * v.x + (v.y * v.y + (v.z * v.z + ltc_k_least_length2)));
+}
+
+// v / |v|, or the normal where v has no direction to speak of.
+static inline float3 ltc_safe_direction(float3 v) {
+  float length2 = dot(v, v);
+  bool usable = length2 > ltc_k_tiny;
+  return usable ? v * rsqrt(max(length2, ltc_k_tiny)) : float3(0.0, 0.0, 1.0);
+}
+
+// theta / sin(theta) from x = cos(theta), for 0 <= theta <= pi/2; of -x for x < 0.
+//
+// A rational minimax fit of degree 3/3, relative error 1.0e-9; smooth at 1, so that a cosine that
+// rounding took beyond does no harm.
+static inline float ltc_acute_over_sin(float x) {
+  float y = abs(x);
+  float p = 1.5707963252152057 +
+            y * (1.638642066993385 + y * (0.35581734455759484 + y * 0.004572514079188905));
+  float q = 1.0 + y * (1.679811571269012 + y * (0.7959248032398663 + y * 0.09409187287776444));
+  return p * (1.0 / q);
+}
+
+// theta / sin(theta) for 0 <= theta < pi, from `acute`, that of x = cos(theta), and sin2 =
+// sin(theta)^2: beyond a right angle theta = pi - theta', which is exact. It grows without bound
+// towards x = -1, where 1 - x^2 has no digits left; so the caller, who knows the vectors, passes
+// sin2 as well.
+static inline float ltc_any_over_sin(float x, float sin2, float acute) {
+  float inv_sin = rsqrt(max(sin2, ltc_k_tiny));
+  return x < 0.0 ? ltc_k_pi * inv_sin - acute : acute;
+}
+
+// theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
+static inline float ltc_theta_over_sin(float x, float sin2) {
+  float acute = ltc_acute_over_sin(x);
+  // Uniform shortcut: no lane's angle is beyond a right one.
+  if (!(x < 0.0)) {
+    return acute;
+  }
+  return ltc_any_over_sin(x, sin2, acute);
+}
+
+// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
+// itself so that the cross product of a small, far edge does not cancel. Never longer than pi: a
+// vector over its length, times an angle.
+//
+// inv_a, inv_b: one over the lengths of a and b.
+static inline float3 ltc_edge_term_scaled(float3 a, float3 b, float3 d, float inv_a, float inv_b) {
+  float scale = inv_a * inv_b;
+  float3 c = cross(a, d);
+  float x = dot(a, b) * scale;
+  float weight = ltc_acute_over_sin(x);
+  if (x < 0.0) {
+    weight = ltc_any_over_sin(x, dot(c, c) * scale * scale, weight);
+  }
+  return c * (scale * weight);
+}
+
+// Contribution of the arc from p to the apex (0, s, 0), s = 1 or -1.
+static inline float3 ltc_apex_term(float3 p, float inv_p, float s) {
+  float3 u = p * inv_p;
+  float weight = s * ltc_theta_over_sin(s * u.y, u.x * u.x + u.z * u.z);
+  return float3(-weight * u.z, 0.0, weight * u.x);
+}
+
+// Where an edge crosses a plane, in units of the edge; a, b: heights of its ends, of which one is below
+// and the other not. The division is of their sizes, so that it stays within 0..1 whatever rounding
+// does.
+static inline float ltc_crossing_place(float a, float b) {
+  return abs(a) * (1.0 / max(abs(a) + abs(b), ltc_k_tiny));
+}
+
+// The part of an edge above a plane, in units of the edge; whole where both ends are above.
+struct ltc_Span {
+  float t0; // where it begins, 0..1
+  float t1; // where it ends, 0..1
+};
+
+// a, b: heights of the ends, of which one at least is not below.
+static inline ltc_Span ltc_span_above(float a, float b) {
+  float t = ltc_crossing_place(a, b);
+  ltc_Span span;
+  span.t0 = a < 0.0 ? t : 0.0;
+  span.t1 = b < 0.0 ? t : 1.0;
+  return span;
+}
+
+// What is left of an edge within the wedge.
+struct ltc_ClippedEdge {
+  float3 p0;    // cosine space
+  float3 p1;    // its end; p0 is its beginning
+  float extent; // in units of the edge
+  bool outside; // whether nothing is left
+};
+
+// a_o, b_o: end points in cosine space; a_z, b_z: their heights above the surface's horizon.
+static inline ltc_ClippedEdge ltc_clip_edge(float3 a_o, float3 b_o, float a_z, float b_z) {
+  ltc_Span surface = ltc_span_above(a_z, b_z);
+  ltc_Span cosine = ltc_span_above(a_o.z, b_o.z);
+  float t0 = max(surface.t0, cosine.t0);
+  float t1 = min(surface.t1, cosine.t1);
+  ltc_ClippedEdge edge;
+  // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
+  // length left but still opens or closes the outline there.
+  edge.outside = (a_z < 0.0 && b_z < 0.0) || (a_o.z < 0.0 && b_o.z < 0.0) || t0 > t1;
+  float3 d = b_o - a_o;
+  edge.p0 = a_o + d * t0;
+  edge.p1 = a_o + d * t1;
+  edge.extent = t1 - t0;
+  // A point cut at the cosine's horizon lies on it: seen near the apex, what rounding leaves of its
+  // height would tilt the arc that closes.
+  edge.p0.z = cosine.t0 > surface.t0 ? 0.0 : max(edge.p0.z, 0.0);
+  edge.p1.z = cosine.t1 < surface.t1 ? 0.0 : max(edge.p1.z, 0.0);
+  return edge;
+}
+
+// Angle of a unit vector (c, s) from (1, 0), -pi..pi.
+static inline float ltc_angle_of_unit(float c, float s) {
+  float acute = s * ltc_acute_over_sin(c);
+  float half_turn = s < 0.0 ? -ltc_k_pi : ltc_k_pi;
+  return c < 0.0 ? half_turn - acute : acute;
+}
+
+// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
+// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
+// counts as it is.
+struct ltc_EdgeAbove {
+  float3 term;    // its contribution to the vector irradiance, times 2 pi
+  float turn_cos; // 1 where nothing was cut
+  float turn_sin; // 0 where nothing was cut
+};
+
+// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
+static inline ltc_EdgeAbove ltc_edge_above(float3 a, float3 b, float s, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  float3 d = b - a;
+  float t = ltc_crossing_place(a.z, b.z);
+  float3 q = float3(a.x + d.x * t, a.y + d.y * t, 0.0);
+  float inv_q = ltc_inverse_length(q);
+  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
+  ltc_EdgeAbove edge;
+  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
+                                   b_up ? inv_b : inv_q);
+  edge.term = a_up || b_up ? edge.term : float3(0.0, 0.0, 0.0);
+  bool leaves = a_up && !b_up;
+  bool enters = b_up && !a_up;
+  float inv_s = inv_q * s;
+  float x = q.x * inv_s;
+  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
+  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
+  return edge;
+}
+
+// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
+// other.
+static inline ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
+  ltc_EdgeAbove sum;
+  sum.term = a.term + b.term;
+  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
+  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
+  return sum;
+}
+
+// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
+// about z leads backwards; it holds whatever rounding makes of an angle near 0.
+static inline float3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
+  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
+  return float3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
+}
+
+// The same with the turn added: the diffuse part of an edge.
+static inline float3 ltc_edge_term_above(float3 a, float3 b, float s, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  // Uniform shortcuts: no lane needs to clip, or none has anything left.
+  if (a_up && b_up) {
+    return ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
+  }
+  if (!(a_up || b_up)) {
+    return float3(0.0, 0.0, 0.0);
+  }
+  ltc_EdgeAbove edge = ltc_edge_above(a, b, s, inv_a, inv_b);
+  edge.term.z = edge.term.z + ltc_angle_of_unit(edge.turn_cos, edge.turn_sin);
+  return edge.term;
+}
+
+// One edge of an outline, clipped to the wedge and closed towards the apex where it was cut. An
+// outline passes the inverse lengths of its points on from edge to edge.
+static inline float3 ltc_clipped_edge_term_scaled(float3 a_o, float3 b_o, float a_z, float b_z,
+                                                  float s, float inv_a, float inv_b) {
+  float3 none = float3(0.0, 0.0, 0.0);
+  bool a_inside = a_z >= 0.0 && a_o.z >= 0.0;
+  bool b_inside = b_z >= 0.0 && b_o.z >= 0.0;
+  // Uniform shortcuts: no lane needs to clip, or none has anything left.
+  if (a_inside && b_inside) {
+    return ltc_edge_term_scaled(a_o, b_o, b_o - a_o, inv_a, inv_b);
+  }
+  if (!((a_z >= 0.0 || b_z >= 0.0) && (a_o.z >= 0.0 || b_o.z >= 0.0))) {
+    return none;
+  }
+  ltc_ClippedEdge edge = ltc_clip_edge(a_o, b_o, a_z, b_z);
+  // Nearly always one end at most was cut, q.
+  float3 q = a_inside ? edge.p1 : edge.p0;
+  float inv_q = ltc_inverse_length(q);
+  float inv_p1 = b_inside ? inv_b : inv_q;
+  float leaves = a_inside ? (b_inside ? 0.0 : 1.0) : -1.0;
+  float3 closing = ltc_apex_term(q, inv_q, s) * leaves;
+  bool both = !a_inside && !b_inside && !edge.outside;
+  if (both) {
+    float inv_end = ltc_inverse_length(edge.p1);
+    inv_p1 = inv_end;
+    closing = closing + ltc_apex_term(edge.p1, inv_end, s);
+  }
+  // An end that was not cut stays the very point whose inverse length is known.
+  float3 sum = ltc_edge_term_scaled(edge.p0, b_inside ? b_o : edge.p1, (b_o - a_o) * edge.extent,
+                                    a_inside ? inv_a : inv_q, inv_p1) + closing;
+  return edge.outside ? none : sum;
+}
+
+// ---- light --------------------------------------------------------------------------------------
+//
+// What lights of all shapes share: their integral, a point of one, and the planes of flat ones.
+//
+// A shape X has a file of its own, and there, named alike:
+//   integrate_X     its integral as a point sees it, for Lambert and for a lobe
+//   X_heights       its extent over a plane through the point
+//   surface_X_integral   the integral as a surface sees it: none without a side of a flat light, and
+//                   without what the surface's triangle hides
+//   shade_X_parts, shade_X   the light that the surface reflects of it, for radiance 1 and without shadow
+//   X_seen          what sampling wants to know of it and of the point, once for all samples
+//   sample_X, intersect_X, pdf_X   a point of it from random numbers, or where a ray meets it; its density.
+//                   No ray meets a line
+
+// What shading wants to know of a light of radiance 1, whatever its shape, without shadow.
+//
+// Both integrals are z components of vector irradiances, in shading space and in cosine space. The
+// vectors' directions are the mean directions of the part of the light that counts; of the
+// specular one, carried back by M, shading takes the Fresnel reflectance.
+struct ltc_LightIntegral {
+  float diffuse;             // integral of cos/pi over the light, 0..1
+  float specular;            // integral of the lobe's density, both horizons respected, 0..1
+  float3 specular_direction; // shading space, unit
+  float second;              // integral of a second lobe's density, see with_second_lobe; else 0
+  float concentration;       // cosine space, 0..1: 1 for a light so small that it lies in one direction
+};
+
+// How closely a light keeps to its mean direction in cosine space, 0..1: R^4 (1 - |Phi|).
+//
+// R is the length of the mean of the unit vectors to the points that make up the light's outline: its
+// cosine for a cone, 1 for a point, near 0 for a wall on all sides; outline2 is its square. Phi is the
+// vector irradiance, which is as long as 1 for a light that is all around.
+static inline float ltc_light_concentration(float outline2, float vector_irradiance) {
+  float rest = max(1.0 - vector_irradiance, 0.0);
+  return min(outline2 * outline2, 1.0) * rest;
+}
+
+// From the vector irradiances times 2 pi; outline2: see light_concentration.
+static inline ltc_LightIntegral ltc_light_integral(float3 diffuse, float3 specular, ltc_Lobe lobe,
+                                                   float outline2) {
+  ltc_LightIntegral result;
+  result.diffuse = min(max(diffuse.z * ltc_k_half_inv_pi, 0.0), 1.0);
+  result.specular = min(max(specular.z * ltc_k_half_inv_pi, 0.0), 1.0);
+  result.second = 0.0;
+  result.specular_direction = ltc_safe_direction(ltc_from_cosine(lobe, specular));
+  result.concentration = ltc_light_concentration(outline2,
+                                                 sqrt(dot(specular, specular)) * ltc_k_half_inv_pi);
+  return result;
+}
+
+// Heights of a light's lowest and highest point over a plane through the shaded point, metres.
+struct ltc_Heights {
+  float low;  // of the lowest point, metres
+  float high; // of the highest one, metres
+};
+
+// Whether a point lies in a light's plane as far as can be told: h, its distance, is no more than
+// that to which the point is known, whose square is `error2`, or than what rounding makes of 0. Such a
+// point has no side, and gets no light. `to_origin` leads from the point to any point of the plane.
+static inline bool ltc_lies_in_plane(float h, float3 to_origin, float error2) {
+  return h * h <=
+         max(error2, ltc_k_plane_rounding * ltc_k_plane_rounding * dot(to_origin, to_origin));
+}
+
+// ---- surface ------------------------------------------------------------------------------------
+//
+// A shaded point: the reflectance equation for the lights of this project.
+//
+//   L_o = integral of (k_d c/pi + f_s) L_i cos_i,   f_s = D V F (GGX, Smith, Schlick).
+//
+// The diffuse part is what the specular one leaves, k_d = (1 - metallic)(1 - E_spec(wo)), with
+// E_spec the specular albedo that comes with the lobe: it does not depend on wi, so Lambert stays a
+// cosine and its polygon integral exact.
+//
+// The lobe integrates to 1 over the sphere and may reach below the surface, where no light comes
+// from. f_s cos_i is therefore n1 F times the lobe divided by its share above the horizon: what
+// light from all sides reflects is n1 F, the albedo, and nothing leaks. Of two lobes each has its own
+// share above the horizon, and a weight of the whole.
+
+// A point of a surface, ready to be shaded by any light.
+struct ltc_Surface {
+  float3 position;        // world space
+  // Square of the metres within which it is known; make_surface assumes single precision.
+  float position_error2;
+  ltc_Frame frame;        // shading space
+  float3 wo;              // shading space: (sin theta, 0, cos theta)
+  float alpha;            // microfacet width, roughness^2
+  float3 diffuse;         // k_d c, albedo of the Lambertian part
+  float3 f0;              // specular reflectance at normal incidence
+  float3 f90;             // and at grazing incidence
+  ltc_FittedLobe fitted;  // the lobe for this roughness and view
+  float3 specular;        // F0 n1 + (F90 - F0) n5, the specular albedo
+  float axis_weight;      // n5/n1 less Schlick's weight in the lobe's mean direction
+  float inv_share;        // weight of the lobe, 1 if it is the only one, over its share_above_horizon
+  ltc_Lobe second;        // the second lobe
+  float second_inv_share; // its weight over its share above the horizon
+  // Of the triangle, unit, world space, on the viewer's side; make_surface assumes the shading normal.
+  float3 geometric;
+  // Whether the two differ in any lane: then what lies behind the triangle's plane is hidden by it.
+  bool tilted;
+  // Whether lights take the BRDF's own value in their mean direction: see blended_ratio.
+  bool corrected;
+  float max_ratio;        // most that this may multiply a light by
+};
+
+// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
+static inline float ltc_fresnel_weight(float3 wo, float3 wi) {
+  return ltc_schlick_weight_between(wo.x * wi.x + wo.z * wi.z);
+}
+
+// Prepares a point for shading. `fitted` is the lobe of alpha_from_roughness(roughness) and
+// dot(normal, wo_world), from a table or a polynomial. `normal` and `wo_world` are unit; `albedo`
+// is (1 - metallic) c.
+static inline ltc_Surface ltc_make_surface(ltc_FittedLobe fitted, float3 position, float3 normal,
+                                           float3 wo_world, float3 albedo, float3 f0, float3 f90,
+                                           float roughness) {
+  ltc_Surface s;
+  s.position = position;
+  s.position_error2 = ltc_k_position_rounding * ltc_k_position_rounding * dot(position, position);
+  s.frame = ltc_shading_frame(normal, wo_world);
+  s.wo = float3(dot(s.frame.t1, wo_world), 0.0, dot(normal, wo_world));
+  s.alpha = ltc_alpha_from_roughness(roughness);
+  s.f0 = f0;
+  s.f90 = f90;
+  s.fitted = fitted;
+  s.specular = ltc_specular_amplitude(fitted, f0, f90);
+  s.inv_share = 1.0 / max(ltc_share_above_horizon(fitted.lobe), ltc_k_min_share);
+  float3 mean = ltc_safe_direction(ltc_mean_above_horizon(fitted.lobe));
+  s.axis_weight = fitted.n5 * (1.0 / max(fitted.n1, ltc_k_tiny)) - ltc_fresnel_weight(s.wo, mean);
+  float taken = max(max(s.specular.x, s.specular.y), s.specular.z);
+  s.diffuse = albedo * max(1.0 - taken, 0.0);
+  s.geometric = normal;
+  s.second = fitted.lobe;
+  s.second_inv_share = 0.0;
+  s.tilted = false;
+  s.corrected = false;
+  s.max_ratio = 1.0;
+  return s;
+}
+
+// Adds a second lobe to what make_surface made.
+static inline ltc_Surface ltc_add_second_lobe(ltc_Surface s, ltc_SecondLobe second) {
+  float weight = min(max(second.weight, 0.0), 1.0);
+  float first = 1.0 - weight;
+  s.second = second.lobe;
+  s.second_inv_share = weight * (1.0 / max(ltc_share_above_horizon(second.lobe), ltc_k_min_share));
+  s.inv_share = first * s.inv_share;
+  float3 mean = ltc_safe_direction(ltc_safe_direction(ltc_mean_above_horizon(s.fitted.lobe)) *
+                                   first +
+                                   ltc_safe_direction(ltc_mean_above_horizon(second.lobe)) * weight);
+  s.axis_weight = s.fitted.n5 * (1.0 / max(s.fitted.n1, ltc_k_tiny)) -
+                  ltc_fresnel_weight(s.wo, mean);
+  return s;
+}
+
+// Density of all the lobes above the horizon, 1 over the hemisphere.
+static inline float ltc_eval_lobes(ltc_Surface s, float3 wi) {
+  float density = s.inv_share * ltc_eval_lobe(s.fitted.lobe, wi);
+  density = density + s.second_inv_share * ltc_eval_lobe(s.second, wi);
+  return density;
+}
+
+// The share that a light fills of all that the lobes have above the horizon, 0..1.
+static inline float ltc_filled_share(ltc_Surface s, ltc_LightIntegral integral) {
+  float share = integral.specular * s.inv_share;
+  share = share + integral.second * s.second_inv_share;
+  return min(share, 1.0);
+}
+
+// The integrals over a light with those of the second lobe, from an integral of that one as if it were
+// the first. Mean direction and concentration are means, weighted by what each lobe has.
+static inline ltc_LightIntegral ltc_with_second_lobe(ltc_Surface s, ltc_LightIntegral first,
+                                                     ltc_LightIntegral second) {
+  float a = first.specular * s.inv_share;
+  float b = second.specular * s.second_inv_share;
+  float inv = 1.0 / max(a + b, ltc_k_tiny);
+  ltc_LightIntegral both = first;
+  both.second = second.specular;
+  both.specular_direction = ltc_safe_direction(first.specular_direction * (a * inv) +
+                                               second.specular_direction * (b * inv));
+  both.concentration = (first.concentration * a + second.concentration * b) * inv;
+  return both;
+}
+
+// Asks for the ratio at the mean direction: see blended_ratio.
+static inline ltc_Surface ltc_correct_at_mean(ltc_Surface s) {
+  s.corrected = true;
+  s.max_ratio = ltc_k_max_ratio;
+  return s;
+}
+
+// Makes known the normal of the triangle that the point is on: unit, world space, on the viewer's side.
+static inline ltc_Surface ltc_set_geometric_normal(ltc_Surface s, float3 geometric) {
+  float3 d = geometric - s.frame.n;
+  s.geometric = geometric;
+  s.tilted = dot(d, d) > ltc_k_normal_rounding * ltc_k_normal_rounding;
+  return s;
+}
+
+// Whether the point has a side of a flat light, whose plane holds `origin`: not on the emitter itself
+// or on a wall flush with it, as far as its position is known. Without a side there is no light.
+static inline bool ltc_has_side(ltc_Surface s, float3 origin, float3 normal) {
+  float3 to_origin = origin - s.position;
+  return !ltc_lies_in_plane(dot(to_origin, normal), to_origin, s.position_error2);
+}
+
+// An integral without what lanes have without a side of a flat light.
+static inline ltc_LightIntegral ltc_unless_in_plane(ltc_Surface s, float3 origin, float3 normal,
+                                                    ltc_LightIntegral integral) {
+  bool sided = ltc_has_side(s, origin, normal);
+  integral.diffuse = sided ? integral.diffuse : 0.0;
+  integral.specular = sided ? integral.specular : 0.0;
+  integral.second = sided ? integral.second : 0.0;
+  return integral;
+}
+
+// An integral without what lanes have that see nothing of the light in front of the triangle's plane.
+static inline ltc_LightIntegral ltc_unless_hidden(ltc_Surface s, ltc_Heights heights,
+                                                  ltc_LightIntegral integral) {
+  bool seen = heights.high > 0.0 && heights.high * heights.high > s.position_error2;
+  integral.diffuse = seen ? integral.diffuse : 0.0;
+  integral.specular = seen ? integral.specular : 0.0;
+  integral.second = seen ? integral.second : 0.0;
+  return integral;
+}
+
+// A part of the hemisphere reflects no more than the whole, s.specular.
+static inline float3 ltc_within_albedo(ltc_Surface s, float3 part) {
+  return float3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
+}
+
+// The normal of the triangle in shading space.
+static inline float3 ltc_front_shading(ltc_Surface s) {
+  return ltc_to_shading(s.frame, s.geometric);
+}
+
+// The share `filled` of n1 with this weight of F90 over F0, within the albedo.
+static inline float3 ltc_reflectance_of_weight(ltc_Surface s, float weight, float filled) {
+  float3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, 0.0), 1.0);
+  return ltc_within_albedo(s, fresnel * (s.fitted.n1 * filled));
+}
+
+// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
+// from around wi.
+//
+// F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
+// from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
+// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus what the
+// whole lobe has beyond its mean direction in proportion to the share: exact for a small light,
+// w(wi), and for one that fills the hemisphere, n5/n1.
+//
+// `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
+static inline float3 ltc_reflectance_of_part(ltc_Surface s, float3 wi, float share, float filled) {
+  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + share * s.axis_weight, filled);
+}
+
+// What the specular part of a light is multiplied by so that a small one is exact: near its mean
+// direction wi the BRDF is larger than the lobe by
+//   r = rho / (n1 D),  rho = D V cos of GGX, D the lobe's density above the horizon.
+// A light that fills the whole lobe has n1 whatever its shape, so 1 is right for that. Between the two,
+// with w the light's concentration times what it leaves of the lobe, their harmonic mean
+//   1 / (1 - w + w / r):
+// at most 1 / (1 - w), so that a quotient of two small numbers does no harm where a light is large, and
+// nearly r where the lobe glows and the BRDF does not. It is not additive: see docs/method.md.
+static inline float ltc_blended_ratio(ltc_Surface s, float3 wi, float w) {
+  float lobe = s.fitted.n1 * ltc_eval_lobes(s, wi);
+  float rho = min(ltc_eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
+  // 1 where both vanish.
+  return (rho + ltc_k_tiny) / (max(rho + w * (lobe - rho), 0.0) + ltc_k_tiny);
+}
+
+// The weight of the BRDF in that: of a light that fills `share` of the lobe.
+static inline float ltc_ratio_weight(ltc_LightIntegral integral, float share) {
+  return integral.concentration * max(1.0 - share, 0.0);
+}
+
+// Reflected light of a light of radiance 1.
+struct ltc_ShadedLight {
+  float3 diffuse;  // by the Lambertian part
+  float3 specular; // by the lobe
+};
+
+// Their sum.
+static inline float3 ltc_both_parts(ltc_ShadedLight shaded) {
+  return shaded.diffuse + shaded.specular;
+}
+
+// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
+static inline ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
+  float share = ltc_filled_share(s, integral);
+  ltc_ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  float filled = share;
+  if (s.corrected) {
+    float w = ltc_ratio_weight(integral, share);
+    filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
+  }
+  shaded.specular = ltc_reflectance_of_part(s, integral.specular_direction, share, filled);
+  return shaded;
+}
+
+// ---- polygon edges ------------------------------------------------------------------------------
+//
+// The sum over a polygon's edges in shading space and in cosine space, clipped to both horizons, and where
+// it is cut, to the plane of a triangle.
+//
+// Source: the edge sum of edge.glsl.
+
+// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
+// normal, meets the y axis.
+static inline float ltc_apex_side(float normal_y, float h) {
+  return normal_y * h < 0.0 ? -1.0 : 1.0;
+}
+
+// The sums over the edges of an outline.
+struct ltc_EdgeSums {
+  float3 diffuse;  // 2 pi times the vector irradiance of the clipped polygon in shading space
+  float3 specular; // the same in cosine space
+  float outline2;  // square of the mean of the unit vectors to its corners, cosine space
+};
+
+// A corner of an outline as a point sees it.
+struct ltc_Corner {
+  float3 p;    // shading space
+  float3 o;    // cosine space
+  float inv_p; // 1 / length
+  float inv_o; // 1 / length
+};
+
+// The corner at p of shading space.
+static inline ltc_Corner ltc_corner_at(float3 p, ltc_Lobe lobe) {
+  ltc_Corner corner;
+  corner.p = p;
+  corner.o = ltc_to_cosine(lobe, p);
+  corner.inv_p = ltc_inverse_length(corner.p);
+  corner.inv_o = ltc_inverse_length(corner.o);
+  return corner;
+}
+
+// Corner i of a polygon as `position`, world space, sees it.
+static inline ltc_Corner ltc_quad_corner_seen(ltc_Quad quad, int i, float3 position,
+                                              ltc_Frame frame, ltc_Lobe lobe) {
+  return ltc_corner_at(ltc_to_shading(frame, ltc_quad_point(quad, i) - position), lobe);
+}
+
+// Height over the nearer of the two horizons, in units of its own space.
+static inline float ltc_least_height(ltc_Corner corner) { return min(corner.p.z, corner.o.z); }
+
+// The term of the edge from a to b in shading space, clipped to the horizon; s: its apex_side.
+static inline float3 ltc_diffuse_term(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_edge_term_above(a.p, b.p, s, a.inv_p, b.inv_p);
+}
+
+// And in cosine space, clipped to both horizons.
+static inline float3 ltc_specular_term(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_clipped_edge_term_scaled(a.o, b.o, a.p.z, b.p.z, s, a.inv_o, b.inv_o);
+}
+
+// And above the surface's horizon, clipped to the cosine's, not yet closed.
+static inline ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
+}
+
+// The same of an edge above both horizons.
+static inline float3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
+  return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
+}
+
+// And in cosine space.
+static inline float3 ltc_whole_specular_term(ltc_Corner a, ltc_Corner b) {
+  return ltc_edge_term_scaled(a.o, b.o, b.o - a.o, a.inv_o, b.inv_o);
+}
+
+// Square of the length of a mean, from the sum and the number of its parts.
+static inline float ltc_mean_length2(float3 sum, float count) {
+  return dot(sum, sum) / max(count * count, 1.0);
+}
+
+// Where the edge from a to b crosses the plane with unit normal `front`; heights: of its ends over that.
+static inline ltc_Corner ltc_corner_between(ltc_Corner a, ltc_Corner b, float a_height,
+                                            float b_height, float3 front, ltc_Lobe lobe) {
+  float3 p = a.p + (b.p - a.p) * ltc_crossing_place(a_height, b_height);
+  // What rounding made of a crossing that is nearer than the ends would turn the plane, which may cut
+  // right through a narrow lobe.
+  return ltc_corner_at(p - front * dot(front, p), lobe);
+}
+
+// a where the mask is set, b elsewhere.
+static inline ltc_Corner ltc_select_corner(bool m, ltc_Corner a, ltc_Corner b) {
+  ltc_Corner corner;
+  corner.p = m ? a.p : b.p;
+  corner.o = m ? a.o : b.o;
+  corner.inv_p = m ? a.inv_p : b.inv_p;
+  corner.inv_o = m ? a.inv_o : b.inv_o;
+  return corner;
+}
+
+// sum_edges of the polygon's part in front of the plane with unit normal `front` (shading space).
+// Where an edge crosses it, an edge along it leads to the first such crossing; see front.glsl.
+static inline ltc_EdgeSums ltc_quad_sum_edges_in_front(ltc_Quad quad, float3 position,
+                                                       ltc_Frame frame, ltc_Lobe lobe, float h,
+                                                       float3 front) {
+  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
+  float3 none = float3(0.0, 0.0, 0.0);
+  ltc_EdgeSums sums;
+  sums.diffuse = none;
+  sums.specular = none;
+  float3 outline = none;
+  float corners = 0.0;
+  ltc_Corner a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
+  ltc_Corner q = a;
+  bool found = false;
+  int count = 5;
+  for (int i = 1; i < count; ++i) {
+    ltc_Corner b = ltc_quad_corner_seen(quad, i, position, frame, lobe);
+    outline = outline + b.o * b.inv_o;
+    corners = corners + 1.0;
+    float a_height = dot(front, a.p);
+    float b_height = dot(front, b.p);
+    bool a_seen = a_height >= 0.0;
+    bool b_seen = b_height >= 0.0;
+    if (a_seen || b_seen) {
+      ltc_Corner cut = ltc_corner_between(a, b, a_height, b_height, front, lobe);
+      ltc_Corner from = ltc_select_corner(a_seen, a, cut);
+      ltc_Corner to = ltc_select_corner(b_seen, b, cut);
+      sums.diffuse = sums.diffuse + (a_seen || b_seen ? ltc_diffuse_term(from, to, s) : none);
+      sums.specular = sums.specular + (a_seen || b_seen ? ltc_specular_term(from, to, s) : none);
+      bool crosses = a_seen != b_seen;
+      if (crosses) {
+        q = ltc_select_corner(!found, cut, q);
+        found = true;
+        float leaves = a_seen ? 1.0 : -1.0;
+        sums.diffuse = sums.diffuse + ltc_diffuse_term(cut, q, s) * leaves;
+        sums.specular = sums.specular + ltc_specular_term(cut, q, s) * leaves;
+      }
+    }
+    a = b;
+  }
+  sums.outline2 = ltc_mean_length2(outline, corners);
+  return sums;
+}
+
+// The same with all corners above the surface's horizon in all lanes: nothing is cut but in cosine space.
+static inline ltc_EdgeSums ltc_sum_quad_above(ltc_Corner a, ltc_Corner b, ltc_Corner c,
+                                              ltc_Corner d, float s, float h, ltc_Lobe lobe) {
+  ltc_EdgeSums sums;
+  sums.outline2 = 0.0;
+  sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
+                 ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
+  ltc_EdgeAbove to_c = ltc_join_edges(ltc_specular_edge(a, b, s), ltc_specular_edge(b, c, s));
+  ltc_EdgeAbove to_a = ltc_join_edges(ltc_specular_edge(c, d, s), ltc_specular_edge(d, a, s));
+  sums.specular = ltc_close_outline(ltc_join_edges(to_c, to_a), h * lobe.det);
+  return sums;
+}
+
+// sum_edges for four corners, which are seen once each.
+static inline ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, float3 position, ltc_Frame frame,
+                                              ltc_Lobe lobe, float h) {
+  ltc_Corner a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
+  ltc_Corner b = ltc_quad_corner_seen(quad, 1, position, frame, lobe);
+  ltc_Corner c = ltc_quad_corner_seen(quad, 2, position, frame, lobe);
+  ltc_Corner d = ltc_quad_corner_seen(quad, 3, position, frame, lobe);
+  float lowest = min(min(ltc_least_height(a), ltc_least_height(b)),
+                     min(ltc_least_height(c), ltc_least_height(d)));
+  ltc_EdgeSums sums;
+  float outline2 = ltc_mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o,
+                                    4.0);
+  // Uniform shortcut: no lane has anything to clip.
+  if (lowest >= 0.0) {
+    sums.outline2 = outline2;
+    sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
+                   ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
+    sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
+                    ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
+    return sums;
+  }
+  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
+  if (min(min(a.p.z, b.p.z), min(c.p.z, d.p.z)) >= 0.0) {
+    sums = ltc_sum_quad_above(a, b, c, d, s, h, lobe);
+  } else {
+    sums.diffuse = ltc_diffuse_term(a, b, s) + ltc_diffuse_term(b, c, s) +
+                   ltc_diffuse_term(c, d, s) + ltc_diffuse_term(d, a, s);
+    sums.specular = ltc_specular_term(a, b, s) + ltc_specular_term(b, c, s) +
+                    ltc_specular_term(c, d, s) + ltc_specular_term(d, a, s);
+  }
+  sums.outline2 = outline2;
+  return sums;
+}
+
+// ---- polygon ------------------------------------------------------------------------------------
+//
+// The integral of a lobe over a polygon, exact, clipped to both horizons: the sum over its edges
+// (polygon_edges.glsl), or where it is small four parts that stand for it. Its sampling: polygon_points.glsl.
+//
+// The prelude of each target gives the polygon, the same for all lanes, in world space:
+//   int  polygon_point_count(Polygon)            rings one after the other, each closed by
+//                                                repeating its first point
+//   Vec3 polygon_point(Polygon, int)             world space
+//   bool polygon_starts_ring(Polygon, int)
+//   Vec3 polygon_origin(Polygon)                 a point of its plane
+//   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
+//   bool polygon_two_sided(Polygon)
+//   Real polygon_area(Polygon)                   square metres
+//   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
+//   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
+
+// A small polygon: where it is in shading space, and how far it spreads.
+struct ltc_SmallPolygon {
+  float3 center;     // its centroid
+  float3 u;          // its spread, see PolygonMoments
+  float3 v;          // and the one across
+  float area_height; // area times the distance from its plane
+};
+
+// 2 pi times the vector irradiance of a part of a light around p: its density times its solid
+// angle (docs/method.md, section 9). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
+// space, o = M^-1 p.
+static inline float3 ltc_small_part_term(float3 p, float area_height, ltc_Lobe lobe) {
+  float3 o = ltc_to_cosine(lobe, p);
+  float inv_o2 = 1.0 / max(dot(o, o), ltc_k_tiny);
+  return o * (2.0 * area_height * inv_o2 * (lobe.det * inv_o2));
+}
+
+// 2 pi times the vector irradiance of a polygon that is small against its distance and wholly above
+// both horizons: four parts, which have its area, centroid and second moments.
+static inline float3 ltc_sum_small_polygon(ltc_SmallPolygon small, ltc_Lobe lobe) {
+  float quarter = 0.25 * small.area_height;
+  return ltc_small_part_term(small.center + small.u, quarter, lobe) +
+         ltc_small_part_term(small.center - small.u, quarter, lobe) +
+         ltc_small_part_term(small.center + small.v, quarter, lobe) +
+         ltc_small_part_term(small.center - small.v, quarter, lobe);
+}
+
+// Square of the angular radius below which the small form begins, 0.05.
+constant float ltc_k_small_radius2 = 0.0025;
+
+// Angular radius below which it is all.
+constant float ltc_k_wholly_small_radius = 0.03;
+
+// 1 over what lies between, over which the one fades into the other.
+constant float ltc_k_inv_small_range = 50.0;
+
+// How much of the edge sums a polygon wants, 0 to 1; the rest is its small form.
+//
+// The edge terms of a small polygon nearly cancel, of which rounding makes 1e-7 over its angular
+// radius, and the coordinates' own rounding the same again. So from a twentieth downwards it is
+// handed over, without a step, to its small form, which is wrong by the fourth power of that radius.
+static inline float ltc_polygon_exactness(float3 center, float radius, ltc_Lobe lobe) {
+  float3 o = ltc_to_cosine(lobe, center);
+  float reach2 = radius * radius * ltc_lobe_stretch2(lobe);
+  float o2 = max(dot(o, o), ltc_k_tiny);
+  // Uniform shortcut: no lane sees it small.
+  if (reach2 >= ltc_k_small_radius2 * o2) {
+    return 1.0;
+  }
+  float reach = sqrt(reach2);
+  float inv_o = rsqrt(o2);
+  float exact = min(max((reach * inv_o - ltc_k_wholly_small_radius) * ltc_k_inv_small_range, 0.0),
+                    1.0);
+  bool above = center.z > radius && o.z > reach;
+  return above ? exact : 1.0;
+}
+
+// EdgeSums.outline2 for what fades into the small form, which lies in one direction.
+static inline float ltc_small_outline2(ltc_EdgeSums sums, float exact) {
+  return 1.0 + (sums.outline2 - 1.0) * exact;
+}
+
+// The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
+// its plane along its normal.
+static inline float ltc_quad_lit_side(ltc_Quad quad, float h, float3 to_origin) {
+  float side = h < 0.0 ? -1.0 : (ltc_quad_two_sided(quad) ? 1.0 : 0.0);
+  return ltc_lies_in_plane(h, to_origin, 0.0) ? 0.0 : side;
+}
+
+// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
+// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
+// last digit asks has_side (surface.glsl) as well.
+//
+// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
+// is the integral; the direction is the mean direction of the part of the polygon that counts,
+// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
+static inline ltc_LightIntegral ltc_integrate_quad(ltc_Quad quad, float3 position,
+                                                   ltc_Frame frame, ltc_Lobe lobe) {
+  float3 normal = ltc_quad_normal(quad);
+  float3 to_origin = ltc_quad_origin(quad) - position;
+  float h = dot(to_origin, normal);
+  float side = ltc_quad_lit_side(quad, h, to_origin);
+  float3 to_center = ltc_quad_centroid(quad) - position;
+  float radius = ltc_quad_radius(quad);
+  float3 center = to_center;
+  float exact_diffuse = 1.0;
+  float exact_specular = 1.0;
+  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
+  // counts as much longer as the distance can become.
+  if (!(radius * radius >= ltc_k_small_radius2 * dot(to_center, to_center))) {
+    center = ltc_to_shading(frame, to_center);
+    exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
+    exact_specular = ltc_polygon_exactness(center, radius, lobe);
+  }
+
+  ltc_EdgeSums sums;
+  sums.diffuse = float3(0.0, 0.0, 0.0);
+  sums.specular = sums.diffuse;
+  sums.outline2 = 1.0;
+  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
+  bool lit = side != 0.0;
+  if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
+    sums = ltc_sum_quad_edges(quad, position, frame, lobe, h);
+    sums.diffuse = sums.diffuse * (side * exact_diffuse);
+    sums.specular = sums.specular * (side * exact_specular);
+  }
+  if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
+    ltc_SmallPolygon small;
+    small.center = center;
+    small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
+    small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
+    small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
+    float3 none = float3(0.0, 0.0, 0.0);
+    sums.diffuse = sums.diffuse +
+                   (exact_diffuse < 1.0 ?
+                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
+    sums.specular = sums.specular +
+                    (exact_specular < 1.0 ?
+                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+  }
+  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
+                            ltc_small_outline2(sums, exact_specular));
+}
+
+// The same over what is in front of the plane with unit normal `front` (shading space). A function of its
+// own, so that nearly all groups of points, which no triangle cuts, need not carry it along.
+static inline ltc_LightIntegral ltc_integrate_quad_in_front(ltc_Quad quad, float3 position,
+                                                            ltc_Frame frame, ltc_Lobe lobe,
+                                                            float3 front) {
+  float3 to_origin = ltc_quad_origin(quad) - position;
+  float h = dot(to_origin, ltc_quad_normal(quad));
+  float side = ltc_quad_lit_side(quad, h, to_origin);
+  ltc_SmallPolygon small;
+  small.center = ltc_to_shading(frame, ltc_quad_centroid(quad) - position);
+  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
+  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
+  small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
+  // What the plane may cut is summed by its edges, however small.
+  float radius = ltc_quad_radius(quad);
+  bool in_front = dot(front, small.center) > radius;
+  float exact_diffuse = in_front ? ltc_polygon_exactness(small.center, radius, ltc_cosine_lobe()) :
+                        1.0;
+  float exact_specular = in_front ? ltc_polygon_exactness(small.center, radius, lobe) : 1.0;
+  ltc_EdgeSums sums = ltc_quad_sum_edges_in_front(quad, position, frame, lobe, h, front);
+  float3 none = float3(0.0, 0.0, 0.0);
+  float3 small_diffuse = ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse);
+  float3 small_specular = ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular);
+  sums.diffuse = sums.diffuse * (side * exact_diffuse) +
+                 (exact_diffuse < 1.0 ? small_diffuse : none);
+  sums.specular = sums.specular * (side * exact_specular) +
+                  (exact_specular < 1.0 ? small_specular : none);
+  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
+                            ltc_small_outline2(sums, exact_specular));
+}
+
+// Of a polygon over the plane through `position` with that unit normal, world space.
+static inline ltc_Heights ltc_quad_heights(ltc_Quad quad, float3 position, float3 normal) {
+  ltc_Heights heights;
+  heights.low = dot(normal, ltc_quad_point(quad, 0) - position);
+  heights.high = heights.low;
+  int count = 5;
+  for (int i = 1; i < count; ++i) {
+    float height = dot(normal, ltc_quad_point(quad, i) - position);
+    heights.low = min(heights.low, height);
+    heights.high = max(heights.high, height);
+  }
+  return heights;
+}
+
+// Whether the plane of some lane's triangle may cut a polygon.
+static inline bool ltc_quad_triangle_may_cut(ltc_Surface s, ltc_Quad quad) {
+  return s.tilted && dot(s.geometric, ltc_quad_centroid(quad) - s.position) < ltc_quad_radius(quad);
+}
+
+// ---- polygon surface ----------------------------------------------------------------------------
+//
+// A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
+// GGX itself, along the same edges (half_vector.glsl).
+
+// The integral where no triangle's plane cuts the polygon.
+static inline ltc_LightIntegral ltc_whole_quad_integral(ltc_Surface s, ltc_Quad quad) {
+  ltc_LightIntegral integral = ltc_integrate_quad(quad, s.position, s.frame, s.fitted.lobe);
+  integral = ltc_with_second_lobe(s, integral,
+                                  ltc_integrate_quad(quad, s.position, s.frame, s.second));
+  return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
+}
+
+// The integral where triangle_may_cut, which most groups need not carry along.
+static inline ltc_LightIntegral ltc_cut_quad_integral(ltc_Surface s, ltc_Quad quad) {
+  ltc_Heights heights = ltc_quad_heights(quad, s.position, s.geometric);
+  if (heights.low >= 0.0) {
+    return ltc_whole_quad_integral(s, quad);
+  }
+  ltc_LightIntegral integral = ltc_integrate_quad_in_front(quad, s.position, s.frame, s.fitted.lobe,
+                                                           ltc_front_shading(s));
+  integral = ltc_with_second_lobe(s, integral,
+                                  ltc_integrate_quad_in_front(quad, s.position, s.frame, s.second,
+                                                              ltc_front_shading(s)));
+  integral = ltc_unless_hidden(s, heights, integral);
+  return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
+}
+
+// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
+static inline ltc_LightIntegral ltc_surface_quad_integral(ltc_Surface s, ltc_Quad quad) {
+  if (ltc_quad_triangle_may_cut(s, quad)) {
+    return ltc_cut_quad_integral(s, quad);
+  }
+  return ltc_whole_quad_integral(s, quad);
+}
+
+// Light that a surface reflects of a polygon of radiance 1, without shadow.
+static inline ltc_ShadedLight ltc_shade_quad_parts(ltc_Surface s, ltc_Quad quad) {
+  return ltc_shade_integral(s, ltc_surface_quad_integral(s, quad));
+}
+
+// Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
+// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+// these, each copies the surface, 3 % of a quad's instructions.
+static inline float3 ltc_shade_quad(ltc_Surface s, ltc_Quad quad) {
+  if (ltc_quad_triangle_may_cut(s, quad)) {
+    return ltc_both_parts(ltc_shade_integral(s, ltc_cut_quad_integral(s, quad)));
+  }
+  return ltc_both_parts(ltc_shade_integral(s, ltc_whole_quad_integral(s, quad)));
+}
+
+// ---- two lobe polynomial surface ----------------------------------------------------------------
+//
+// What you call: a point of a surface, once for all lights.
+
+// A point with any reflectance. `normal`, on the viewer's side, and `view`, to the eye, are unit, world
+// space; `albedo` is that of the diffuse part, `f0` and `f90` the specular reflectance at normal and
+// grazing incidence, `roughness` 0..1.
+static inline ltc_Surface ltc_surface_at(float3 position, float3 normal, float3 view,
+                                         float3 albedo, float3 f0, float3 f90, float roughness) {
+  float alpha = ltc_alpha_from_roughness(roughness);
+  float cos_theta = dot(normal, view);
+  ltc_FittedLobe fitted = ltc_eval_lobe_polynomial(alpha, cos_theta);
+  return ltc_add_second_lobe(ltc_make_surface(fitted, position, normal, view, albedo, f0, f90,
+                                              roughness),
+                             ltc_eval_second_lobe_polynomial(alpha, cos_theta));
+}
+
+// ---- gltf surface -------------------------------------------------------------------------------
+//
+// A point of glTF 2.0's material model, and what may be added to a point.
+
+// A point of a surface by glTF's metallic-roughness model; all values 0..1, colours linear.
+static inline ltc_Surface ltc_gltf_surface(float3 position, float3 normal, float3 view,
+                                           float3 base_color, float metallic, float roughness) {
+  float3 dielectric = float3(0.04, 0.04, 0.04);
+  float3 f0 = dielectric + (base_color - dielectric) * metallic;
+  return ltc_surface_at(position, normal, view, base_color * (1.0 - metallic), f0,
+                        float3(1.0, 1.0, 1.0), roughness);
+}
+
+// ---- lights -------------------------------------------------------------------------------------
+//
+// What you call: lights. Each function returns the light that a surface reflects of one of radiance 1,
+// without shadow; shade_X_parts has its diffuse and its specular part apart.
+
+// A rectangle or parallelogram: its middle, and from there to the middles of two sides. It emits along
+// half_u x half_v, or to both sides where two_sided is 1.
+static inline ltc_Quad ltc_make_quad(float3 center, float3 half_u, float3 half_v, float two_sided) {
+  ltc_Quad quad;
+  quad.center = center;
+  quad.half_u = half_u;
+  quad.half_v = half_v;
+  quad.two_sided = two_sided;
+  return quad;
+}
