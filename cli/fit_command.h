@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// A fit as a command line.
+// A fit as a command line, and the text below its help.
 
 #pragma once
 
@@ -11,6 +11,9 @@
 #include <string>
 
 namespace openltc::cli {
+
+/// Below the options in `openltc fit --help`.
+extern const char* const k_fit_footer;
 
 /// A path as one word of a shell's command line, in quotes where it needs them.
 std::string shell_word(const std::string& path);

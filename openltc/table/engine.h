@@ -38,8 +38,7 @@ const Engine* find_engine(std::string_view name);
 /// The files of a table for an engine, name and bytes, in the order of Engine::files. They say
 /// nothing about themselves, since they are what the engine reads; a description is written beside
 /// them by write_engine_files. Numbers that are written as text have six significant digits, as in
-/// the files that they replace. Fails when the table's layout or precision is another, or when its
-/// size cannot be written.
+/// the files that they replace. Fails when the table's layout, precision or size is another.
 Result<std::vector<std::pair<std::string, Bytes>>> engine_files(const PackedTable& packed,
                                                                 const Engine& engine);
 

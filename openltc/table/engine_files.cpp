@@ -1,13 +1,16 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Sources, each the project's own code that reads the table: three.js r187, examples/jsm/lights/
-// RectAreaLightTexturesLib.js; Babylon.js 9, Lights/LTC/ltcTextureTool.ts; PlayCanvas 2, src/scene/
-// area-light-luts.js; Bevy, crates/bevy_pbr/src/lib.rs; Blender, source/blender/draw/engines/eevee/
-// eevee_lut.hh; Unity Graphics, com.unity.render-pipelines.high-definition/Runtime/Material/
-// LTCAreaLight/Generated/LtcData.BRDF_GGX.cs; Godot, servers/rendering/storage/ltc; O3DE,
-// Gems/Atom/ Feature/Common/Code/Source/CoreLights/LtcCommon.cpp; Ogre-Next,
-// Samples/Media/Hlms/Pbs/Any/ AreaLights_LTC_piece_ps.any.
+// Sources, each the project's own code that reads the table:
+// three.js r187, examples/jsm/lights/RectAreaLightTexturesLib.js
+// Babylon.js 9, Lights/LTC/ltcTextureTool.ts
+// PlayCanvas 2, src/scene/area-light-luts.js
+// Bevy 0.19, crates/bevy_pbr/src/lib.rs
+// Blender, source/blender/draw/engines/eevee/eevee_lut.hh
+// Unity HDRP, Runtime/Material/LTCAreaLight/Generated/LtcData.BRDF_GGX.cs
+// Godot, servers/rendering/storage/ltc
+// O3DE, LtcCommon in Gems/Atom/Feature/Common/Code/Source/CoreLights
+// Ogre-Next, Samples/Media/Hlms/Pbs/Any/AreaLights_LTC_piece_ps.any
 
 #include "openltc/base/atomic_file.h"
 #include "openltc/table/container/container.h"
@@ -242,6 +245,10 @@ Result<std::vector<std::pair<std::string, Bytes>>> engine_files(const PackedTabl
     return Error{fmt::format("a table of layout {}, {} is not for {}, which reads {}, {}",
                              name_of(packed.layout), name_of(packed.precision), engine.title,
                              name_of(engine.layout), name_of(engine.precision))};
+  if (packed.columns() != engine.size || packed.rows() != engine.size)
+    return Error{fmt::format("a table of {} x {} nodes is not for {}, which reads {} x {}",
+                             packed.columns(), packed.rows(), engine.title, engine.size,
+                             engine.size)};
   if (Status status = check_textures(engine.title, packed.layout, packed.textures); !status)
     return status.error();
   std::vector<Bytes> bytes = contents(packed, engine.name);

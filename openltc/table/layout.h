@@ -43,10 +43,8 @@ enum class Layout {
   /// share w of n1; y = sqrt(1 - cos theta). No engine reads it.
   native_two,
   /// ltc_code read at x = alpha, at least .001, where x should be the roughness: PlayCanvas
-  /// (ltc.js,
-  /// getLTCLightUV) and Ogre-Next (AreaLights_LTC_piece_ps.any). The columns hold the lobes of
-  /// where
-  /// the shader reads them. Of engines alone (engine.h); nothing is converted to it by itself.
+  /// (ltc.js, getLTCLightUV) and Ogre-Next (AreaLights_LTC_piece_ps.any). The columns hold the
+  /// lobes of where the shader reads them. Of engines alone (engine.h).
   ltc_code_alpha,
 };
 
@@ -104,10 +102,10 @@ double node_width(brdf::LobeWidth width, int columns, int column);
 double row_cosine(Layout layout, AngleAxis axis, int rows, int row);
 
 /// Packs a table. Where its axes are not the layout's (theta, Godot's polynomial, alpha) it is
-/// resampled,
-/// otherwise the nodes are exact. In half precision every value is rounded to the nearest half;
-/// where that would make a determinant negative, one element goes up to the next halves. Fails when
-/// a value does not fit, naming the texel, and when table and layout have not as many lobes.
+/// resampled, otherwise the nodes are exact. In half precision every value is rounded to the
+/// nearest half; where that would make a determinant negative, one element goes up to the next
+/// halves. Fails when a value does not fit, naming the texel, and when table and layout have not as
+/// many lobes.
 Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precision);
 
 /// The inverse of pack, on the layout's own angle axis: exact at the nodes up to rounding, but for

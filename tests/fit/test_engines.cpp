@@ -58,7 +58,9 @@ TEST_CASE("tables for engines are what the command makes") {
     CHECK(table::find_engine(engine.name) == &engine);
     const auto files = table::engine_files(table_for(engine), engine);
     REQUIRE(files);
-    for (const auto& [name, bytes] : *files) {
+    for (const std::pair<std::string, table::Bytes>& file : *files) {
+      const std::string& name = file.first;
+      const table::Bytes& bytes = file.second;
       CAPTURE(name);
       CHECK(bytes.size() < 300 * 1024);
       CHECK(read_file(std::string(OPENLTC_SOURCE_DIR) + "/tables/" + engine.name + "/" + name) ==
