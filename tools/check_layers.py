@@ -48,7 +48,6 @@ k_source_lines = 400
 k_long_sources = {
     "openltc/api/ggx_table.inc": "generated, a line for each texel",
     "openltc/api/ggx_two_lobes.inc": "generated, a line for each texel",
-    "openltc/api/ggx_two_lobes.inc": "generated, a line for each texel",
     "openltc/openltc_c.h": "the C API, one header by design (decision 65), a comment for every name",
     "openltc/kernel/light_sampling.inc": "one walk down the tree of lights, and what decides its turns",
 }

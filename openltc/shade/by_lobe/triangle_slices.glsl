@@ -31,12 +31,12 @@ struct LobeEdge {
 
 /// The edges of a triangle between the horizons, and what they enclose.
 struct LobeTriangle {
-  LobeEdge ab;
-  LobeEdge bc;
-  LobeEdge ca;
-  Real base; ///< x (l1 - l0) of the slice in the horizon where the turns begin
-  Real mass; ///< G of the whole: 2 pi times the integral of the lobe
-  Real size; ///< sum of the sizes of what cancels to it
+  LobeEdge ab; ///< between the horizons, as the others
+  LobeEdge bc; ///< from the second corner to the third
+  LobeEdge ca; ///< from the third corner to the first
+  Real base;   ///< x (l1 - l0) of the slice in the horizon where the turns begin
+  Real mass;   ///< G of the whole: 2 pi times the integral of the lobe
+  Real size;   ///< sum of the sizes of what cancels to it
 };
 
 /// Horizons in cosine space.
@@ -50,6 +50,7 @@ struct LobeWedge {
 /// tan(p/2) of a direction above the cosine's horizon.
 FN Real half_turn_of(Vec3 o) { return o.x / max(sqrt(o.x * o.x + o.z * o.z) + o.z, Real(k_tiny)); }
 
+/// The wedge of a lobe.
 FN LobeWedge lobe_wedge(Lobe lobe) {
   LobeWedge wedge;
   wedge.m = horizon_normal_cosine(lobe);
@@ -230,13 +231,13 @@ FN LobeSlice slice_at(LobeTriangle triangle, Real t, Real t_edges) {
 
 /// A triangle's corners in cosine space, and its edges.
 struct LobeCorners {
-  LobeCorner a;
-  LobeCorner b;
-  LobeCorner c;
-  Vec3 ab;    ///< cosine space
-  Vec3 ac;    ///< cosine space
-  Real side;  ///< 1 where a x b points to the inside, else -1
-  bool clips; ///< whether some lane has a corner below a horizon
+  LobeCorner a; ///< the first corner
+  LobeCorner b; ///< the second
+  LobeCorner c; ///< the third
+  Vec3 ab;      ///< cosine space
+  Vec3 ac;      ///< cosine space
+  Real side;    ///< 1 where a x b points to the inside, else -1
+  bool clips;   ///< whether some lane has a corner below a horizon
 };
 
 /// A triangle of shading space, seen from its origin: a corner, and the edges from there.
@@ -256,6 +257,7 @@ FN LobeCorners lobe_corners(Lobe lobe, LobeWedge wedge, Vec3 corner, Vec3 ab, Ve
   return corners;
 }
 
+/// The edges between the horizons, and what they enclose.
 FN LobeTriangle lobe_triangle(LobeCorners corners, LobeWedge wedge) {
   LobeTriangle triangle;
   triangle.ab = lobe_edge(corners.a, corners.b, corners.ab, corners.side, wedge, corners.clips);
