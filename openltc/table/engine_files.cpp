@@ -147,7 +147,7 @@ std::vector<Bytes> contents(const PackedTable& packed, std::string_view engine) 
   if (engine == "playcanvas")
     return {to_bytes(fmt::format("{{\"LTC_MAT_1\": [\n{}],\n\"LTC_MAT_2\": [\n{}]}}\n",
                                  json_numbers(t[0]), json_numbers(t[1])))};
-  if (engine == "bevy") return {encode_ktx2(std::span<const Texture>(t))};
+  if (engine == "bevy") return {encode_ktx2_array(t)};
   if (engine == "eevee")
     return {
         to_bytes(fmt::format("/* LTC tables of GGX by OpenLTC, in place of those of eevee_lut.cc. "

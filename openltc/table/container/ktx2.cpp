@@ -96,7 +96,9 @@ Status read_key_values(ByteView block, const std::string& name, KeyValues& metad
 
 } // namespace
 
-Bytes encode_ktx2(std::span<const Texture> layers) {
+Bytes encode_ktx2(const Texture& texture) { return encode_ktx2_array({&texture, 1}); }
+
+Bytes encode_ktx2_array(std::span<const Texture> layers) {
   const Texture& texture = layers[0];
   const Format* format = std::find_if(std::begin(k_formats), std::end(k_formats), [&](auto& f) {
     return f.channels == texture.channels && f.precision == texture.precision;
