@@ -33,7 +33,7 @@ namespace {
 struct FitArguments {
   std::string brdf = "ggx"; ///< name, or path of a MERL file
   fit::FitRequest request;
-  int engine = -1;                  ///< of table::all_engines()
+  int engine = -1;                  ///< of table::all_engines(), if any
   std::vector<std::string> outputs; ///< folders where there is an engine
   std::vector<std::string> reports;
   std::vector<std::string> against;
@@ -199,7 +199,7 @@ int run_fit(const FitArguments& arguments) {
   if (arguments.quiet) return k_exit_ok;
   for (const std::string& path : written)
     say("wrote {}\n", path);
-  if (engine) {
+  if (engine && !arguments.outputs.empty()) {
     say("{}: put {} into {}\n", engine->title, fmt::join(engine->files, " and "), engine->place);
     if (engine->slip[0] != '\0') say("{} {}\n", engine->title, engine->slip);
   }
@@ -269,11 +269,11 @@ FormOptions add_request_options(CLI::App& command, FitArguments& arguments) {
       add_choice(command, "--precision", c.precision, "Numbers of a table [float32]", precisions);
   const Choices<fit::Refine> refines = {
       {"auto", fit::Refine::automatic}, {"on", fit::Refine::on}, {"off", fit::Refine::off}};
-  auto* refine =
-      add_choice(command, "--refine", c.refine,
-                 "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
-                 "does so up to 32 nodes, and not for other layouts [auto]",
-                 refines);
+  auto* refine = add_choice(
+      command, "--refine", c.refine,
+      "Fit all nodes once more, jointly, through the bilinear look-up of the layout; auto "
+      "does so up to 32 nodes of layout native, and with --engine [auto]",
+      refines);
   auto* clip_aware = command.add_flag(
       "--clip-aware", c.clip_aware,
       "For layouts other than native: fit for a renderer that clips lights at the surface's "
@@ -360,6 +360,7 @@ void add_fit(CLI::App& app, int& exit_code) {
       request.layout = engine->layout;
       request.precision = engine->precision;
       request.size = engine->size;
+      if (request.refine == fit::Refine::automatic) request.refine = fit::Refine::on;
     }
     request.tool_version = OPENLTC_VERSION;
     request.command = fit_command_of(arguments->brdf, request, engine);

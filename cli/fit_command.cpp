@@ -60,7 +60,11 @@ std::string fit_command_of(const std::string& brdf, const fit::FitRequest& c,
   else
     command += fmt::format("{} --size {}",
                            c.form == table::LobeForm::two_lobe ? " --form two-lobe" : "", c.size);
-  if (engine) standard.layout = c.layout, standard.precision = c.precision;
+  if (engine) {
+    standard.layout = engine->layout;
+    standard.precision = engine->precision;
+    standard.refine = fit::Refine::on;
+  }
   if (c.objective != standard.objective) command += fmt::format(" --objective {}", c.objective);
   if (c.layout != standard.layout) command += fmt::format(" --layout {}", name_of(c.layout));
   if (c.precision != standard.precision)

@@ -212,7 +212,8 @@ std::span<const Engine> all_engines() {
        f32,
        {"ltc_lut1.dds", "ltc_lut2.dds"},
        "servers/rendering/storage/ltc/; then build the engine",
-       "its arc cosine is off by up to .5 degrees; rows are fitted for where it reads them"},
+       "computes angles that are off by up to 0.5 degrees; rows are fitted for where it reads "
+       "them"},
       {"o3de",
        "O3DE",
        Layout::o3de,

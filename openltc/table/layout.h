@@ -87,8 +87,10 @@ struct PackedTable {
 };
 
 /// Roughness of a column's nodes, and the width that is factored out there. A single column stands
-/// for all roughnesses; it is taken as roughness 1. Of ltc_code_alpha see column_roughness.
+/// for all roughnesses; it is taken as roughness 1. column_roughness is that at which a layout's
+/// shader reads the column, another only for ltc_code_alpha.
 double node_roughness(int columns, int column);
+double column_roughness(Layout layout, int columns, int column);
 double node_width(brdf::LobeWidth width, int columns, int column);
 
 /// The cosine of the view angle at row `row` of `rows` for the matrices of a layout: where its
@@ -103,9 +105,10 @@ double row_cosine(Layout layout, AngleAxis axis, int rows, int row);
 
 /// Packs a table. Where its axes are not the layout's (theta, Godot's polynomial, alpha) it is
 /// resampled, otherwise the nodes are exact. In half precision every value is rounded to the
-/// nearest half; where that would make a determinant negative, one element goes up to the next
-/// halves. Fails when a value does not fit, naming the texel, and when table and layout have not as
-/// many lobes.
+/// nearest half, but that M00 and M02 of ltc_code and unity, whose ratio is the lobe's direction,
+/// may be up to 8 halves away; where a determinant would be negative, one element goes up to the
+/// next halves. Fails when a value does not fit, naming the texel, and when table and layout have
+/// not as many lobes.
 Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precision);
 
 /// The inverse of pack, on the layout's own angle axis: exact at the nodes up to rounding, but for
@@ -117,6 +120,10 @@ Result<LobeTable> unpack(const PackedTable& packed);
 /// What an engine of that layout reads: its own axes, its own stored values, rounded as they are
 /// stored, bilinear. roughness and cos_theta 0..1.
 f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double cos_theta);
+
+/// Where an engine of that layout reads the table: coordinates 0..1 of column and row, node i of N
+/// at i/(N - 1).
+Vec2d look_up_position(const PackedTable& packed, double roughness, double cos_theta);
 
 /// The second lobe that is read there; of no weight but in native_two.
 f64::SecondLobe fetch_packed_second(const PackedTable& packed, double roughness, double cos_theta);

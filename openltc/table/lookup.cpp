@@ -75,16 +75,21 @@ std::array<double, 4> sample_texture(const Texture& texture, double u, double v)
   return result;
 }
 
+Vec2d look_up_position(const PackedTable& packed, double roughness, double cos_theta) {
+  return {roughness_coordinate(packed.layout, roughness),
+          look_up_coordinate(packed.layout, packed.angle_axis, std::clamp(cos_theta, 0.0, 1.0))};
+}
+
 f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double cos_theta) {
   const double c = std::clamp(cos_theta, 0.0, 1.0);
-  const double r = roughness_coordinate(packed.layout, roughness);
-  const double u = f64::table_coordinate(r, packed.columns());
-  const double v =
-      f64::table_coordinate(look_up_coordinate(packed.layout, packed.angle_axis, c), packed.rows());
+  const Vec2d at = look_up_position(packed, roughness, c);
+  const double u = f64::table_coordinate(at.x, packed.columns());
+  const double v = f64::table_coordinate(at.y, packed.rows());
   const std::array<double, 4> first = sample_texture(packed.textures[0], u, v);
   std::array<double, 4> second = {};
   if (packed.textures.size() > 1) second = sample_texture(packed.textures[1], u, v);
-  return lobe_of_texel(packed.layout, first, second, factored_width(packed.width, r), c);
+  const double width = factored_width(packed.width, std::clamp(roughness, 0.0, 1.0));
+  return lobe_of_texel(packed.layout, first, second, width, c);
 }
 
 f64::SecondLobe fetch_packed_second(const PackedTable& packed, double roughness, double cos_theta) {

@@ -27,9 +27,8 @@ double cosine_of_coordinate(Layout layout, AngleAxis axis, double y);
 LobeTable interpolate(const LobeTable& table, std::span<const double> across,
                       std::span<const double> from);
 
-/// The roughness at which a layout's shader reads column `column` of `columns`, and the coordinate
-/// 0..1 that it computes for a roughness. Only those of ltc_code_alpha are not the same number.
-double column_roughness(Layout layout, int columns, int column);
+/// The coordinate 0..1 that a layout's shader computes for a roughness; column_roughness is the
+/// inverse.
 double roughness_coordinate(Layout layout, double roughness);
 
 } // namespace openltc::table
