@@ -6,12 +6,12 @@
 // A lobe below roughness .06 is narrower than what its direction is off by between nodes that are
 // right by themselves. Nodes that are fitted together share that error, to both sides.
 
-#include "openltc/fit/look_up_fit.h"
+#include "openltc/fit/joint/look_up_fit.h"
 
 #include "openltc/base/parallel.h"
-#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/joint/joint_fit.h"
+#include "openltc/fit/joint/table_samples.h"
 #include "openltc/fit/table_fit.h"
-#include "openltc/fit/table_samples.h"
 #include "openltc/target/shade_f64.h"
 
 #include <algorithm>
@@ -29,9 +29,10 @@ namespace {
 using table::PackedTable;
 
 constexpr int k_per_cell = 2; ///< samples along each axis of a cell
-/// What a sample at a node counts: little as a place to fit, fully where its determinant must stay
-/// positive.
-constexpr double k_node_weight = 1e-3;
+/// What samples at the nodes and at the rim count: little as places to fit, fully where the
+/// determinant must stay positive.
+constexpr double k_guard_weight = 1e-3;
+constexpr double k_rim_cosine = 1e-4; ///< stands in for 0
 
 // What a sample's look-up makes of the interpolated first texture, `second` being what it reads of
 // the other one.
@@ -71,29 +72,33 @@ Result<std::vector<JointSample>> make_samples(const brdf::Brdf& brdf, const Pack
   std::vector<std::vector<JointSample>> by_roughness(std::size_t(across + columns));
   std::vector<std::string> failures(by_roughness.size());
   parallel_for(std::int64_t(by_roughness.size()), 0, [&](std::int64_t index) {
-    const bool at_nodes = index >= across;
-    const double roughness =
-        at_nodes      ? table::column_roughness(packed.layout, columns, int(index) - across)
-        : columns > 1 ? (double(index) + 0.5) / across
-                      : 1;
+    const int node = int(index) - across; // from 0 on: samples at the nodes of this column
+    const double roughness = node >= 0     ? table::column_roughness(packed.layout, columns, node)
+                             : columns > 1 ? (double(index) + 0.5) / across
+                                           : 1;
     const HalfVectors half_vectors = find_half_vectors(brdf, roughness);
-    for (int row = 0; row < (at_nodes ? rows : along); ++row) {
-      const double c = at_nodes ? table::row_cosine(packed.layout, packed.angle_axis, rows, row)
-                                : cosine_at((row + 0.5) / along, packed.angle_axis);
-      Result<Quadrature> rule = make_quadrature(brdf, roughness, c, half_vectors, *size);
+    const auto add = [&](double cos_theta, double weight, const Vec2d* at_node) {
+      Result<Quadrature> rule = make_quadrature(brdf, roughness, cos_theta, half_vectors, *size);
       if (!rule) {
         failures[std::size_t(index)] = rule.error().message;
         return;
       }
-      const int node = int(index) - across;
-      const Vec2d at =
-          at_nodes ? Vec2d{double(node) / std::max(columns - 1, 1), double(row) / (rows - 1)}
-                   : table::look_up_position(packed, roughness, c);
+      const Vec2d at = at_node ? *at_node : table::look_up_position(packed, roughness, cos_theta);
       JointSample& sample = by_roughness[std::size_t(index)].emplace_back();
-      sample.weight = at_nodes ? k_node_weight : 1;
+      sample.weight = weight;
       sample.terms = terms_at(packed, at);
       sample.read = reader(packed, *rule, at);
       sample.rule = std::move(*rule);
+    };
+    if (node < 0) {
+      for (int row = 0; row < along; ++row)
+        add(cosine_at((row + 0.5) / along, packed.angle_axis), 1, nullptr);
+      add(k_rim_cosine, k_guard_weight, nullptr);
+      return;
+    }
+    for (int row = 0; row < rows; ++row) {
+      const Vec2d at{double(node) / std::max(columns - 1, 1), double(row) / (rows - 1)};
+      add(table::row_cosine(packed.layout, packed.angle_axis, rows, row), k_guard_weight, &at);
     }
   });
   if (Status status = first_failure(failures); !status) return status.error();

@@ -9,10 +9,10 @@
 // A table's matrix is that of the bilinear hat functions, whose condition is good; its 4 x 4 blocks
 // on the diagonal precondition it. A polynomial's few unknowns need as many steps at most.
 
-#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/joint/joint_fit.h"
 
 #include "openltc/base/parallel.h"
-#include "openltc/fit/conjugate_gradients.h"
+#include "openltc/fit/joint/conjugate_gradients.h"
 
 #include <Eigen/Dense>
 
