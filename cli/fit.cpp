@@ -14,6 +14,7 @@
 #include "openltc/brdf/choose.h"
 #include "openltc/fit/fit_job.h"
 #include "openltc/fit/report/candidate_file.h"
+#include "openltc/table/engine.h"
 
 #include <fmt/format.h>
 
@@ -32,11 +33,16 @@ namespace {
 struct FitArguments {
   std::string brdf = "ggx"; ///< name, or path of a MERL file
   fit::FitRequest request;
-  std::vector<std::string> outputs;
+  int engine = -1;                  ///< of table::all_engines(), if any
+  std::vector<std::string> outputs; ///< folders where there is an engine
   std::vector<std::string> reports;
   std::vector<std::string> against;
   bool list = false;
   bool quiet = false;
+
+  const table::Engine* engine_asked() const {
+    return engine < 0 ? nullptr : &table::all_engines()[std::size_t(engine)];
+  }
 };
 
 int list_brdfs() {
@@ -101,9 +107,7 @@ Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, const fit::FittedLob
                                     const FitArguments& arguments) {
   std::vector<fit::Candidate> candidates = {fit::candidate_of(fitted, arguments.request)};
   candidates.insert(candidates.end(), others.begin(), others.end());
-  if (!arguments.reports.empty()) {
-    candidates.push_back(fit::limit_of(brdf, fitted));
-  }
+  if (!arguments.reports.empty()) candidates.push_back(fit::limit_of(brdf, fitted));
   fit::ReportOptions options;
   if (arguments.reports.empty()) { // the text shows neither
     options.worst_cells = 0;
@@ -119,10 +123,28 @@ Result<fit::Report> make_fit_report(const brdf::Brdf& brdf, const fit::FittedLob
   return fit::make_report(brdf, candidates, options);
 }
 
+// The files that will be written, or why they cannot.
+Result<std::vector<std::string>> planned_files(const brdf::Brdf& brdf,
+                                               const FitArguments& arguments) {
+  const table::Engine* engine = arguments.engine_asked();
+  if (!engine) return fit::check_outputs(brdf, arguments.request, arguments.outputs);
+  if (arguments.outputs.empty()) return std::vector<std::string>{};
+  return table::engine_paths(*engine, arguments.outputs[0]);
+}
+
+Result<std::vector<std::string>> write_output(const fit::FittedLobes& fitted,
+                                              const FitArguments& arguments,
+                                              const std::string& path) {
+  const table::Engine* engine = arguments.engine_asked();
+  if (!engine) return fit::write_lobes(fitted, path);
+  return table::write_engine_files(std::get<table::PackedTable>(fitted.stored), *engine, path);
+}
+
 int run_fit(const FitArguments& arguments) {
   if (arguments.list) return list_brdfs();
   const fit::FitRequest& request = arguments.request;
-  if (Status status = fit::check_extensions(request, arguments.outputs); !status) {
+  const table::Engine* engine = arguments.engine_asked();
+  if (Status status = fit::check_extensions(request, arguments.outputs); !engine && !status) {
     fail("fit", status.error());
     return k_exit_usage;
   }
@@ -132,7 +154,7 @@ int run_fit(const FitArguments& arguments) {
     return is_file(arguments.brdf) ? k_exit_failed : k_exit_usage;
   }
   // Find out now, not after the work, what cannot be written or read.
-  Result<std::vector<std::string>> files = fit::check_outputs(*brdf, request, arguments.outputs);
+  Result<std::vector<std::string>> files = planned_files(*brdf, arguments);
   if (!files) return fail("fit", files.error());
   for (const std::string& path : arguments.reports) {
     if (Status status = check_report(path); !status) return fail("fit", status.error());
@@ -164,7 +186,7 @@ int run_fit(const FitArguments& arguments) {
   std::vector<std::string> written;
   FileGroup together;
   for (const std::string& path : arguments.outputs) {
-    const Result<std::vector<std::string>> done = fit::write_lobes(*fitted, path);
+    const Result<std::vector<std::string>> done = write_output(*fitted, arguments, path);
     if (!done) return fail("fit", done.error());
     written.insert(written.end(), done->begin(), done->end());
   }
@@ -177,6 +199,10 @@ int run_fit(const FitArguments& arguments) {
   if (arguments.quiet) return k_exit_ok;
   for (const std::string& path : written)
     say("wrote {}\n", path);
+  if (engine && !arguments.outputs.empty()) {
+    say("{}: put {} into {}\n", engine->title, fmt::join(engine->files, " and "), engine->place);
+    if (engine->slip[0] != '\0') say("{} {}\n", engine->title, engine->slip);
+  }
   if (const auto* packed = std::get_if<table::PackedTable>(&fitted->stored)) {
     const std::string note = fit::size_note(*packed);
     if (!note.empty() && !arguments.outputs.empty()) say("{}\n", note);
@@ -184,41 +210,17 @@ int run_fit(const FitArguments& arguments) {
   return k_exit_ok;
 }
 
-constexpr const char* k_fit_footer =
-    "For every roughness and view angle the linearly transformed cosine is found that comes\n"
-    "closest to the BRDF. Objectives: balanced, better than the published table in every norm\n"
-    "at once, in the mean; tv, least total variation; l2 and l3, least relative squares or\n"
-    "cubes, which hold on to the peak. The error is measured between the nodes, through the\n"
-    "look-up of the layout and in the precision that is written. Total variation (TV) is a "
-    "bound: for\n"
-    "F = 1 no light of radiance up to L_max errs by more than (E TV + |n1 - E|) L_max, E the\n"
-    "albedo and n1 what is stored for it.\n"
-    "\n"
-    "Layouts: native, for this project's shading (low roughness and small tables stay good);\n"
-    "ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP); godot; o3de.\n"
-    "A form without a table: polynomials, whose lobes are proven never to turn inside out.\n"
-    "Two lobes, fitted together, halve the error; only this project reads tables of them.\n"
-    "\n"
-    "Examples:\n"
-    "  openltc fit                                        GGX, errors only, all of them\n"
-    "  openltc fit --list                                 the BRDFs\n"
-    "  openltc fit --brdf charlie --size 32 -o sheen.json\n"
-    "  openltc fit --layout ltc_code -o ggx.dds           writes ggx_1.dds and ggx_2.dds\n"
-    "  openltc fit --form polynomial -o lobes.glsl        a function to paste\n"
-    "  openltc fit --form two-lobe -o two.ktx2            writes two_1, two_2 and two_3\n"
-    "  openltc fit --form two-lobe-polynomial -o two.glsl a function that gives both lobes\n"
-    "  openltc fit --report ggx.html --against ltc_1.dds  a page of figures and heat maps\n"
-    "  openltc fit --brdf gold-paint.binary -o gold.json  a measured material";
-
 /// Options that are for one form of lobes alone.
 struct FormOptions {
   std::vector<CLI::Option*> of_tables;
   std::vector<CLI::Option*> of_one_lobe;
+  std::vector<CLI::Option*> of_no_engine;
   CLI::Option* size = nullptr;
   CLI::Option* of_polynomials = nullptr;
 };
 
-FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
+FormOptions add_request_options(CLI::App& command, FitArguments& arguments) {
+  fit::FitRequest& c = arguments.request;
   auto* size = command
                    .add_option("--size", c.size,
                                "Nodes per axis of a table, 2 to 512; of two lobes 16 unless given")
@@ -239,14 +241,22 @@ FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
       {"polynomial", table::LobeForm::polynomial},
       {"two-lobe", table::LobeForm::two_lobe},
       {"two-lobe-polynomial", table::LobeForm::two_lobe_polynomial}};
-  add_choice(command, "--form", c.form,
-             "Table, or polynomials instead of one; both also of two lobes, half the error [table]",
-             forms);
+  auto* form = add_choice(
+      command, "--form", c.form,
+      "Table, or polynomials instead of one; both also of two lobes, half the error [table]",
+      forms);
   auto* degree =
       command.add_option("--degree", c.degree, "Total degree of the polynomials, 3 to 6")
           ->transform(whole_number(table::LobePolynomial::k_min_degree,
                                    table::LobePolynomial::k_max_degree))
           ->capture_default_str();
+  Choices<int> engines;
+  for (const table::Engine& engine : table::all_engines())
+    engines.emplace_back(engine.name, int(engines.size()));
+  add_choice(command, "--engine", arguments.engine,
+             "Files for this engine instead of its own table: layout, size, precision, container "
+             "and names are the engine's, -o is a folder",
+             engines);
   Choices<table::Layout> layouts;
   for (const table::Layout layout : table::all_layouts())
     layouts.emplace_back(name_of(layout), layout);
@@ -259,24 +269,29 @@ FormOptions add_request_options(CLI::App& command, fit::FitRequest& c) {
       add_choice(command, "--precision", c.precision, "Numbers of a table [float32]", precisions);
   const Choices<fit::Refine> refines = {
       {"auto", fit::Refine::automatic}, {"on", fit::Refine::on}, {"off", fit::Refine::off}};
-  auto* refine =
-      add_choice(command, "--refine", c.refine,
-                 "Fit all nodes once more, jointly, through the native bilinear look-up; auto "
-                 "does so up to 32 nodes, and not for other layouts [auto]",
-                 refines);
+  auto* refine = add_choice(
+      command, "--refine", c.refine,
+      "Fit all nodes once more, jointly, through the bilinear look-up of the layout; auto "
+      "does so up to 32 nodes of layout native, and with --engine [auto]",
+      refines);
   auto* clip_aware = command.add_flag(
       "--clip-aware", c.clip_aware,
       "For layouts other than native: fit for a renderer that clips lights at the surface's "
       "horizon, amplitudes over the share of the lobe above it; the file says horizon divided");
-  return {
-      {size, layout, precision, refine, clip_aware}, {layout, refine, clip_aware}, size, degree};
+  return {{size, layout, precision, refine, clip_aware},
+          {layout, refine, clip_aware},
+          {size, form, layout, precision},
+          size,
+          degree};
 }
 
 void add_file_options(CLI::App& command, FitArguments& arguments) {
   command
-      .add_option("-o,--output", arguments.outputs,
-                  "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "
-                  ".hlsl .wgsl .js, or .cpp/.inc, C++ source of the built-in. May be repeated")
+      .add_option(
+          "-o,--output", arguments.outputs,
+          "File to write; the container by extension: .json .dds .ktx2 .exr .npy .h .glsl "
+          ".hlsl .wgsl .js, or .cpp/.inc, C++ source of the built-in; with --engine a folder. "
+          "May be repeated")
       ->allow_extra_args(false);
   command
       .add_option("--report", arguments.reports,
@@ -291,12 +306,18 @@ void add_file_options(CLI::App& command, FitArguments& arguments) {
 }
 
 /// What would be passed over in silence is wrong usage.
-Status check_form(const fit::FitRequest& request, const FormOptions& options) {
+Status check_form(const FitArguments& arguments, const FormOptions& options) {
+  const fit::FitRequest& request = arguments.request;
   const bool polynomial = is_polynomial(request.form);
   const bool two = request.form == table::LobeForm::two_lobe;
   const auto refusal = [&](const CLI::Option* option, const char* form, const char* not_form) {
     return Error{fmt::format("{} is for {}, not for {}", option->get_name(), form, not_form)};
   };
+  if (arguments.engine >= 0 && arguments.outputs.size() > 1)
+    return Error{"--engine has one folder, so -o is given once"};
+  for (const CLI::Option* option : options.of_no_engine)
+    if (arguments.engine >= 0 && option->count() > 0)
+      return Error{fmt::format("{} is not for --engine, which chooses it", option->get_name())};
   for (const CLI::Option* option : options.of_tables)
     if (polynomial && option->count() > 0)
       return refusal(option, "tables",
@@ -324,18 +345,25 @@ void add_fit(CLI::App& app, int& exit_code) {
       ->add_option("--brdf", arguments->brdf, "BRDF by name (--list), or a MERL file FILE.binary")
       ->capture_default_str();
   command->add_flag("--list", arguments->list, "List the BRDFs, their sources and parameters");
-  const FormOptions form_options = add_request_options(*command, arguments->request);
+  const FormOptions form_options = add_request_options(*command, *arguments);
   add_file_options(*command, *arguments);
   command->callback([arguments, form_options, &exit_code] {
     fit::FitRequest& request = arguments->request;
-    if (Status status = check_form(request, form_options); !status) {
+    if (Status status = check_form(*arguments, form_options); !status) {
       exit_code = fail("fit", status.error(), k_exit_usage);
       return;
     }
     if (request.form == table::LobeForm::two_lobe && form_options.size->count() == 0)
       request.size = fit::k_two_lobe_size;
+    const table::Engine* engine = arguments->engine_asked();
+    if (engine) {
+      request.layout = engine->layout;
+      request.precision = engine->precision;
+      request.size = engine->size;
+      if (request.refine == fit::Refine::automatic) request.refine = fit::Refine::on;
+    }
     request.tool_version = OPENLTC_VERSION;
-    request.command = fit_command_of(arguments->brdf, request);
+    request.command = fit_command_of(arguments->brdf, request, engine);
     exit_code = run_fit(*arguments);
   });
 }

@@ -224,7 +224,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       "the first four. A .dds or .npy says what it is in OUT.dds.json beside it; the others "
       "inside.\n"
       "A polynomial (.json) becomes .h .glsl .hlsl .wgsl .js, a function to paste.\n"
-      "Layouts: native; ltc_code (three.js, Babylon.js, Bevy, PlayCanvas, EEVEE); unity (HDRP);\n"
+      "Layouts: native; ltc_code (three.js, Babylon.js, Bevy, EEVEE); unity (HDRP);\n"
       "godot; o3de. The error is measured again, through the look-up of the new layout.\n"
       "A scene (.gltf .glb) becomes a .glb whose rectangular and round lights, those of emissive\n"
       "surfaces and of nodes' extras, are EXT_lights_area, and those with a photometric file\n"

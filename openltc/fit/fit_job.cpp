@@ -3,6 +3,7 @@
 
 #include "openltc/fit/fit_job.h"
 
+#include "openltc/fit/joint/look_up_fit.h"
 #include "openltc/fit/measure/certificate.h"
 #include "openltc/fit/measure/limit.h"
 #include "openltc/fit/polynomial_fit.h"
@@ -86,23 +87,29 @@ Result<FittedLobes> fit_table_form(const brdf::Brdf& brdf, const FitRequest& req
   TableFitOptions options;
   options.size = request.size;
   options.refine = request.refine;
-  // Refinement goes through the native look-up, which is not the one that these tables meet.
-  if (request.layout != Layout::native && request.refine == Refine::automatic)
-    options.refine = Refine::off;
+  const bool native = request.layout == Layout::native;
+  const bool refine_later = !native && request.refine == Refine::on;
+  if (!native) options.refine = Refine::off; // that of the native look-up, which they do not meet
   options.angle_axis = table::angle_axis_of(request.layout);
   options.lobe.objective = objective;
   const bool two = request.form == table::LobeForm::two_lobe;
+  const Progress first = part_of(progress, 0, refine_later ? 0.1 : 1);
   Result<table::LobeTable> fitted =
-      two ? fit_two_lobe_table(brdf, options, progress) : fit_table(brdf, options, progress);
+      two ? fit_two_lobe_table(brdf, options, first) : fit_table(brdf, options, first);
   if (!fitted) return fitted.error();
   Result<PackedTable> packed =
       table::pack(*fitted, stored_layout(request), table::Precision::float32);
   if (!packed) return packed.error();
-  if (request.layout != Layout::native && request.clip_aware) table::divide_amplitudes(*packed);
+  if (refine_later) {
+    const Progress rest = part_of(progress, 0.1, 1);
+    if (Status status = refine_look_up(brdf, *packed, objective, rest); !status)
+      return status.error();
+  }
+  if (!native && request.clip_aware) table::divide_amplitudes(*packed);
   packed = table::with_precision(*packed, request.precision);
   if (!packed) return packed.error();
   FittedLobes result;
-  if (request.layout != Layout::native) result.warning = interpolation_warning(*packed);
+  if (!native) result.warning = interpolation_warning(*packed);
   if (two)
     result.note = fmt::format("certified: A D - w B C >= {:.2e} of both lobes, between the nodes "
                               "too; no lobe turns inside out",

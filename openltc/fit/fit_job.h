@@ -34,6 +34,7 @@ struct FitRequest {
   int degree = 4;                               ///< of a polynomial
   table::Layout layout = table::Layout::native; ///< of two lobes stored as native_two
   table::Precision precision = table::Precision::float32;
+  /// Joint refinement through the look-up of the layout; automatic for native alone.
   Refine refine = Refine::automatic;
   /// Fit for a renderer that clips lights at the horizon, for layouts other than native, which is
   /// so anyway.

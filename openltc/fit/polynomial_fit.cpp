@@ -9,7 +9,7 @@
 #include "openltc/fit/polynomial_fit.h"
 
 #include "openltc/base/parallel.h"
-#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/joint/joint_fit.h"
 #include "openltc/fit/lobe_start.h"
 #include "openltc/fit/two_lobe_polynomial.h"
 #include "openltc/target/shade_f64.h"

@@ -14,9 +14,9 @@
 #include "openltc/fit/table_fit.h"
 
 #include "openltc/base/parallel.h"
-#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/joint/joint_fit.h"
+#include "openltc/fit/joint/table_samples.h"
 #include "openltc/fit/lobe_start.h"
-#include "openltc/fit/table_samples.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>

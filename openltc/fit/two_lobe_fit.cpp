@@ -13,9 +13,9 @@
 #include "openltc/fit/two_lobe_fit.h"
 
 #include "openltc/base/parallel.h"
-#include "openltc/fit/conjugate_gradients.h"
+#include "openltc/fit/joint/conjugate_gradients.h"
+#include "openltc/fit/joint/table_samples.h"
 #include "openltc/fit/measure/certificate.h"
-#include "openltc/fit/table_samples.h"
 #include "openltc/fit/two_lobe_problem.h"
 
 #include <Eigen/Dense>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "openltc/base/progress.h"
-#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/joint/joint_fit.h"
 #include "openltc/fit/objective.h"
 
 #include <array>

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "openltc/base/parallel.h"
-#include "openltc/fit/table_samples.h"
+#include "openltc/fit/joint/table_samples.h"
 #include "openltc/fit/two_lobe_fit.h"
 
 #include <Eigen/Dense>

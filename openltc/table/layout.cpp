@@ -21,8 +21,9 @@ namespace {
 
 constexpr std::array k_layouts = {Layout::native, Layout::ltc_code, Layout::unity, Layout::godot,
                                   Layout::o3de};
-constexpr std::array k_names = {"native", "ltc_code", "unity", "godot", "o3de", "native_two"};
-constexpr Layout k_native_two = Layout::native_two;
+constexpr std::array k_names = {"native", "ltc_code",   "unity",         "godot",
+                                "o3de",   "native_two", "ltc_code_alpha"};
+constexpr std::array k_unasked = {Layout::native_two, Layout::ltc_code_alpha};
 
 } // namespace
 
@@ -49,7 +50,9 @@ const char* name_of(AngleAxis axis) {
 const Layout* find_layout(std::string_view name) {
   for (const Layout& layout : k_layouts)
     if (name == name_of(layout)) return &layout;
-  return name == name_of(k_native_two) ? &k_native_two : nullptr;
+  for (const Layout& layout : k_unasked)
+    if (name == name_of(layout)) return &layout;
+  return nullptr;
 }
 
 const LayoutFacts& facts_of(Layout layout) {
@@ -65,7 +68,7 @@ const LayoutFacts& facts_of(Layout layout) {
       LayoutFacts{root,
                   true,
                   64,
-                  "ltc_code, three.js, Babylon.js, Bevy, PlayCanvas, EEVEE",
+                  "ltc_code, three.js, Babylon.js, Bevy, EEVEE",
                   "M^-1 divided by its middle element M11",
                   {{"M00", "M20", "M02", "M22"}, {"n1", "n5", "0", "clipped sphere"}}},
       LayoutFacts{
@@ -90,6 +93,12 @@ const LayoutFacts& facts_of(Layout layout) {
                   "sin), z' = (-sin, 0, cos); w = alpha, or 1 where width is one; the second "
                   "lobe has the share weight of n1, the first the rest",
                   {{"A", "B", "C", "D"}, {"n1", "n5", "weight", "0"}, {"A2", "B2", "C2", "D2"}}},
+      LayoutFacts{root,
+                  true,
+                  64,
+                  "PlayCanvas, Ogre-Next",
+                  "M^-1 divided by its middle element M11",
+                  {{"M00", "M20", "M02", "M22"}, {"n1", "n5", "0", "clipped sphere"}}},
   };
   return facts[std::size_t(layout)];
 }
@@ -119,6 +128,7 @@ f64::FittedLobe lobe_of_texel(Layout layout, std::span<const double> first,
     fitted.lobe = f64::lobe_from_mirror({x, y, z, w}, width, cos_theta);
     break;
   case Layout::ltc_code:
+  case Layout::ltc_code_alpha:
     fitted.lobe = f64::make_lobe(x, z, y, w);
     break;
   case Layout::unity:

@@ -19,12 +19,12 @@
 namespace openltc::table {
 
 /// Layouts. Mij is row i, column j of M^-1 from 0; wo = (sin theta, 0, cos theta), x towards it.
-/// In all of them x is the perceptual roughness and node i of N lies at (i + 1/2)/N, the half-texel
-/// rule; amplitude F0 n1 + (F90 - F0) n5.
+/// In all of them but the last x is the perceptual roughness; node i of N lies at (i + 1/2)/N, the
+/// half-texel rule; amplitude F0 n1 + (F90 - F0) n5.
 enum class Layout {
   /// This project's (lobe_table.h): A B C D | n1 n5 0 0; y = sqrt(1 - cos theta).
   native,
-  /// ltc_code since October 2017, three.js, Babylon.js, Bevy, PlayCanvas, Ogre-Next, EEVEE:
+  /// ltc_code since October 2017, three.js, Babylon.js, Bevy, EEVEE:
   /// M00 M20 M02 M22 with M11 = 1 | n1 n5 0 s; y = sqrt(1 - cos theta). s is the form factor of the
   /// clipped sphere (clipped_sphere.h) on axes of its own, x = z/2 + 1/2, y = |F|.
   ltc_code,
@@ -42,9 +42,14 @@ enum class Layout {
   /// This project's with a second lobe: A B C D | n1 n5 w 0 | A B C D of the second, which has the
   /// share w of n1; y = sqrt(1 - cos theta). No engine reads it.
   native_two,
+  /// ltc_code read at x = alpha, at least .001, where x should be the roughness: PlayCanvas
+  /// (ltc.js, getLTCLightUV) and Ogre-Next (AreaLights_LTC_piece_ps.any). The columns hold the
+  /// lobes of where the shader reads them. Of engines alone (engine.h).
+  ltc_code_alpha,
 };
 
-/// All layouts of one lobe, and the names of all in files and on the command line.
+/// All layouts of one lobe that can be asked for by name, and the names of all in files and on the
+/// command line.
 std::span<const Layout> all_layouts();
 const char* name_of(Layout layout);
 const char* name_of(Precision precision);         ///< "float32", "float16"
@@ -82,8 +87,10 @@ struct PackedTable {
 };
 
 /// Roughness of a column's nodes, and the width that is factored out there. A single column stands
-/// for all roughnesses; it is taken as roughness 1.
+/// for all roughnesses; it is taken as roughness 1. column_roughness is that at which a layout's
+/// shader reads the column, another only for ltc_code_alpha.
 double node_roughness(int columns, int column);
+double column_roughness(Layout layout, int columns, int column);
 double node_width(brdf::LobeWidth width, int columns, int column);
 
 /// The cosine of the view angle at row `row` of `rows` for the matrices of a layout: where its
@@ -96,14 +103,16 @@ double node_width(brdf::LobeWidth width, int columns, int column);
 /// and at roughness .01-.06, where interpolated matrices miss the lobe altogether, .41-.68 at .03.
 double row_cosine(Layout layout, AngleAxis axis, int rows, int row);
 
-/// Packs a table. Where its angle axis is not the layout's (or Godot's polynomial) it is resampled,
-/// otherwise the nodes are exact. In half precision every value is rounded to the nearest half;
-/// where that would make a determinant negative, one element goes up to the next halves. Fails when
-/// a value does not fit, naming the texel, and when table and layout have not as many lobes.
+/// Packs a table. Where its axes are not the layout's (theta, Godot's polynomial, alpha) it is
+/// resampled, otherwise the nodes are exact. In half precision every value is rounded to the
+/// nearest half, but that M00 and M02 of ltc_code and unity, whose ratio is the lobe's direction,
+/// may be up to 8 halves away; where a determinant would be negative, one element goes up to the
+/// next halves. Fails when a value does not fit, naming the texel, and when table and layout have
+/// not as many lobes.
 Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precision);
 
 /// The inverse of pack, on the layout's own angle axis: exact at the nodes up to rounding, but for
-/// Godot's, which are resampled. Fails
+/// Godot's and those over alpha, which are resampled. Fails
 /// on a texel without a lobe (determinant not positive). Without amplitudes n1 is 1 and n5 is 0;
 /// those that are divided (divided.h) are multiplied again, and the table is a clipped one.
 Result<LobeTable> unpack(const PackedTable& packed);
@@ -111,6 +120,10 @@ Result<LobeTable> unpack(const PackedTable& packed);
 /// What an engine of that layout reads: its own axes, its own stored values, rounded as they are
 /// stored, bilinear. roughness and cos_theta 0..1.
 f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double cos_theta);
+
+/// Where an engine of that layout reads the table: coordinates 0..1 of column and row, node i of N
+/// at i/(N - 1).
+Vec2d look_up_position(const PackedTable& packed, double roughness, double cos_theta);
 
 /// The second lobe that is read there; of no weight but in native_two.
 f64::SecondLobe fetch_packed_second(const PackedTable& packed, double roughness, double cos_theta);

@@ -33,6 +33,17 @@ double look_up_coordinate(Layout layout, AngleAxis axis, double cos_theta) {
   return godot_acos(std::clamp(cos_theta, 0.0, 1.0)) / (0.5 * f64::k_pi);
 }
 
+double column_roughness(Layout layout, int columns, int column) {
+  const double x = node_roughness(columns, column);
+  return layout == Layout::ltc_code_alpha ? std::sqrt(x) : x;
+}
+
+double roughness_coordinate(Layout layout, double roughness) {
+  constexpr double k_least_alpha = 0.001; // of both engines
+  const double r = std::clamp(roughness, layout == Layout::godot ? 0.02 : 0.0, 1.0);
+  return layout == Layout::ltc_code_alpha ? std::max(r * r, k_least_alpha) : r;
+}
+
 double cosine_of_coordinate(Layout layout, AngleAxis axis, double y) {
   if (axis != AngleAxis::theta) return 1 - y * y;
   if (layout != Layout::godot) return std::cos(0.5 * f64::k_pi * y);
@@ -64,17 +75,21 @@ std::array<double, 4> sample_texture(const Texture& texture, double u, double v)
   return result;
 }
 
+Vec2d look_up_position(const PackedTable& packed, double roughness, double cos_theta) {
+  return {roughness_coordinate(packed.layout, roughness),
+          look_up_coordinate(packed.layout, packed.angle_axis, std::clamp(cos_theta, 0.0, 1.0))};
+}
+
 f64::FittedLobe fetch_packed(const PackedTable& packed, double roughness, double cos_theta) {
   const double c = std::clamp(cos_theta, 0.0, 1.0);
-  const double least = packed.layout == Layout::godot ? 0.02 : 0.0;
-  const double r = std::clamp(roughness, least, 1.0);
-  const double u = f64::table_coordinate(r, packed.columns());
-  const double v =
-      f64::table_coordinate(look_up_coordinate(packed.layout, packed.angle_axis, c), packed.rows());
+  const Vec2d at = look_up_position(packed, roughness, c);
+  const double u = f64::table_coordinate(at.x, packed.columns());
+  const double v = f64::table_coordinate(at.y, packed.rows());
   const std::array<double, 4> first = sample_texture(packed.textures[0], u, v);
   std::array<double, 4> second = {};
   if (packed.textures.size() > 1) second = sample_texture(packed.textures[1], u, v);
-  return lobe_of_texel(packed.layout, first, second, factored_width(packed.width, r), c);
+  const double width = factored_width(packed.width, std::clamp(roughness, 0.0, 1.0));
+  return lobe_of_texel(packed.layout, first, second, width, c);
 }
 
 f64::SecondLobe fetch_packed_second(const PackedTable& packed, double roughness, double cos_theta) {
@@ -111,7 +126,9 @@ f64::SecondLobe fetch_native_second(const LobeTable& table, double roughness, do
   return second;
 }
 
-LobeTable interpolate(const LobeTable& table, int columns, std::span<const double> from) {
+LobeTable interpolate(const LobeTable& table, std::span<const double> across,
+                      std::span<const double> from) {
+  const int columns = int(across.size());
   LobeTable result = table;
   result.columns = columns;
   result.rows = int(from.size());
@@ -119,7 +136,7 @@ LobeTable interpolate(const LobeTable& table, int columns, std::span<const doubl
   result.second.clear();
   for (int row = 0; row < result.rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const Vec2d at{node_roughness(columns, column), from[std::size_t(row)]};
+      const Vec2d at{across[std::size_t(column)], from[std::size_t(row)]};
       const auto [m, n, weight] = f64::lobe_table_texel(table.view(), at);
       const double channels[7] = {m.x, m.y, m.z, m.w, n.x, n.y, weight};
       for (int k = 0; k < 7; ++k)
@@ -144,7 +161,10 @@ Result<LobeTable> resample(const LobeTable& table, int columns, int rows, AngleA
             ? y
             : angle_coordinate(table.angle_axis, cosine_of_coordinate(Layout::native, axis, y));
   }
-  LobeTable result = interpolate(table, columns, from);
+  std::vector<double> across(std::size_t(columns), 1.0);
+  for (int column = 0; column < columns; ++column)
+    across[std::size_t(column)] = node_roughness(columns, column);
+  LobeTable result = interpolate(table, across, from);
   result.angle_axis = axis;
   return result;
 }

@@ -23,8 +23,12 @@ double angle_coordinate(AngleAxis axis, double cos_theta);
 double look_up_coordinate(Layout layout, AngleAxis axis, double cos_theta);
 double cosine_of_coordinate(Layout layout, AngleAxis axis, double y);
 
-/// The table read at `columns` equidistant roughnesses and at the rows `from`, coordinates 0..1 on
-/// its own angle axis.
-LobeTable interpolate(const LobeTable& table, int columns, std::span<const double> from);
+/// The table read at the columns `across` and the rows `from`, coordinates 0..1 on its own axes.
+LobeTable interpolate(const LobeTable& table, std::span<const double> across,
+                      std::span<const double> from);
+
+/// The coordinate 0..1 that a layout's shader computes for a roughness; column_roughness is the
+/// inverse.
+double roughness_coordinate(Layout layout, double roughness);
 
 } // namespace openltc::table

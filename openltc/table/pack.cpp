@@ -26,7 +26,8 @@ void store_texel(Layout layout, const f64::Lobe& m, Vec4d native, double n1, dou
     std::copy_n(std::array{native.x, native.y, native.z, native.w}.data(), 4, first);
     std::copy_n(std::array{n1, n5, 0.0, 0.0}.data(), 4, second);
     return;
-  case Layout::ltc_code: // the fourth channel of the second texture is not a node's
+  case Layout::ltc_code:
+  case Layout::ltc_code_alpha: // the fourth channel of the second texture is not a node's
     std::copy_n(std::array{m.m00, m.m20, m.m02, m.m22}.data(), 4, first);
     std::copy_n(std::array{n1, n5, 0.0}.data(), 3, second);
     return;
@@ -50,9 +51,19 @@ void store_texel(Layout layout, const f64::Lobe& m, Vec4d native, double n1, dou
   }
 }
 
+// Whether channel 3 of the second texture is that of clipped_sphere.h.
+bool has_clipped_sphere(Layout layout) {
+  return layout == Layout::ltc_code || layout == Layout::ltc_code_alpha;
+}
+
+// The width that is factored out of a column's lobes, in the table that is packed or unpacked.
+double column_width(brdf::LobeWidth width, Layout layout, int columns, int column) {
+  return factored_width(width, column_roughness(layout, columns, column));
+}
+
 // The element of the first texture that raises the determinant when it goes up.
 int determinant_channel(Layout layout) {
-  return is_native(layout) || layout == Layout::ltc_code ? 3 : 0;
+  return is_native(layout) || has_clipped_sphere(layout) ? 3 : 0;
 }
 
 // Rounds the textures to half precision and keeps the determinants positive.
@@ -110,6 +121,51 @@ double determinant(const PackedTable& packed, int column, int row, int lobe) {
   return std::isfinite(det) ? det : 0;
 }
 
+// The channels of the first texture that are M00 and M02 up to a common factor, which turn a narrow
+// lobe when one of them is off; none where the lobe's direction is stored otherwise.
+const int* direction_channels(Layout layout) {
+  static constexpr int k_ltc_code[2] = {0, 2}, k_unity[2] = {0, 3};
+  return has_clipped_sphere(layout) ? k_ltc_code : layout == Layout::unity ? k_unity : nullptr;
+}
+
+// How far the lobe of a node in half precision is from that in single precision: M_half^-1 M - 1,
+// the sum of the squares of its elements.
+double rounding_distance(const PackedTable& half, const PackedTable& single, int column, int row) {
+  const f64::Lobe h = lobe_of_node(half, column, row).lobe,
+                  s = lobe_of_node(single, column, row).lobe;
+  const double across = (h.m00 * s.m22 - h.m02 * s.m20) / s.det - 1;
+  const double turn = (h.m02 * s.m00 - h.m00 * s.m02) / s.det;
+  const double shear = (h.m20 * s.m22 - h.m22 * s.m20) / s.det;
+  const double along = (h.m22 * s.m00 - h.m20 * s.m02) / s.det - 1;
+  return across * across + turn * turn + shear * shear + along * along;
+}
+
+// Two halves that are each rounded by themselves turn a lobe by up to .03 degrees, more than what
+// it is wide below roughness .02. A few halves to and fro there is a pair of nearly the same width
+// whose ratio is right.
+void turn_back(PackedTable& half, const PackedTable& single, int column, int row) {
+  const int* channels = direction_channels(half.layout);
+  const std::size_t at = std::size_t(row * half.columns() + column) * 4;
+  float& m00 = half.textures[0].values[at + std::size_t(channels[0])];
+  float& m02 = half.textures[0].values[at + std::size_t(channels[1])];
+  const double ratio = double(single.textures[0].values[at + std::size_t(channels[1])]) /
+                       double(single.textures[0].values[at + std::size_t(channels[0])]);
+  constexpr int k_reach = 8; // halves: .4 % to .8 % of the width
+  const std::uint16_t nearest = half_from_float(m00);
+  if (!(m00 > 0) || (nearest & 0x7fff) < k_reach || !std::isfinite(ratio)) return;
+  float best00 = m00, best02 = m02;
+  double least = rounding_distance(half, single, column, row);
+  for (int step = -k_reach; step <= k_reach; ++step) {
+    m00 = float_from_half(std::uint16_t(nearest + step));
+    m02 = rounded_to_half(float(ratio * double(m00)));
+    if (!std::isfinite(m00) || !std::isfinite(m02)) continue;
+    const double distance = rounding_distance(half, single, column, row);
+    if (distance < least) least = distance, best00 = m00, best02 = m02;
+  }
+  m00 = best00;
+  m02 = best02;
+}
+
 // Packs a table whose nodes lie where the layout wants them.
 Result<PackedTable> pack_nodes(const LobeTable& table, Layout layout, Precision precision) {
   const LayoutFacts& facts = facts_of(layout);
@@ -132,11 +188,11 @@ Result<PackedTable> pack_nodes(const LobeTable& table, Layout layout, Precision 
     for (int column = 0; column < table.columns; ++column) {
       const float* t = table.texel(column, row);
       const Vec4d native{double(t[0]), double(t[1]), double(t[2]), double(t[3])};
-      const double width = node_width(table.width, table.columns, column);
+      const double width = column_width(table.width, layout, table.columns, column);
       double channels[3][4] = {};
       store_texel(layout, f64::lobe_from_mirror(native, width, cos_theta), native, double(t[4]),
                   double(t[5]), channels[0], channels[1]);
-      if (layout == Layout::ltc_code)
+      if (has_clipped_sphere(layout))
         channels[1][3] = clipped_sphere_form_factor(2.0 * column / (table.columns - 1) - 1,
                                                     double(row) / (table.rows - 1));
       if (layout == Layout::native_two) {
@@ -184,15 +240,19 @@ Result<PackedTable> pack(const LobeTable& table, Layout layout, Precision precis
     return Error{fmt::format("layout {} holds two lobes, this table has one", name_of(layout))};
   const LayoutFacts& facts = facts_of(layout);
   // The clipped sphere needs a second axis even where roughness does not.
-  const int columns = layout == Layout::ltc_code && table.columns == 1 ? table.rows : table.columns;
-  if (table.angle_axis == facts.angle_axis && table.columns == columns && layout != Layout::godot)
+  const int columns = has_clipped_sphere(layout) && table.columns == 1 ? table.rows : table.columns;
+  if (table.angle_axis == facts.angle_axis && table.columns == columns && layout != Layout::godot &&
+      layout != Layout::ltc_code_alpha)
     return pack_nodes(table, layout, precision);
   // Rows of the layout, as coordinates of the table's own axis; both end in the grazing row.
   std::vector<double> from(std::size_t(table.rows), 1.0);
   for (int row = 0; row + 1 < table.rows; ++row)
     from[std::size_t(row)] =
         angle_coordinate(table.angle_axis, row_cosine(layout, facts.angle_axis, table.rows, row));
-  LobeTable nodes = interpolate(table, columns, from);
+  std::vector<double> across(std::size_t(columns), 1.0);
+  for (int column = 0; column < columns; ++column)
+    across[std::size_t(column)] = column_roughness(layout, columns, column);
+  LobeTable nodes = interpolate(table, across, from);
   nodes.angle_axis = facts.angle_axis;
   return pack_nodes(nodes, layout, precision);
 }
@@ -203,6 +263,10 @@ Result<PackedTable> with_precision(const PackedTable& packed, Precision precisio
     texture.precision = precision;
   if (precision == Precision::float16)
     if (Status status = round_to_half(result); !status) return status.error();
+  if (precision == Precision::float16 && direction_channels(result.layout))
+    for (int row = 0; row < result.rows(); ++row)
+      for (int column = 0; column < result.columns(); ++column)
+        turn_back(result, packed, column, row);
   for (int row = 0; row < result.rows(); ++row)
     for (int column = 0; column < result.columns(); ++column)
       for (int lobe = 0; lobe < lobe_count(result.layout); ++lobe) {
@@ -244,7 +308,7 @@ Result<LobeTable> unpack(const PackedTable& packed) {
         std::copy_n(packed.textures[0].values.data() + (row * table.columns + column) * 4, 4,
                     texel);
       } else {
-        const double width = node_width(packed.width, table.columns, column);
+        const double width = column_width(packed.width, packed.layout, table.columns, column);
         const Vec4d m = f64::mirror_from_lobe(fitted.lobe, width, cos_theta);
         texel[0] = float(m.x);
         texel[1] = float(m.y);
@@ -274,14 +338,19 @@ Result<LobeTable> unpack(const PackedTable& packed) {
                                    name_of(packed.layout), column, row)};
     }
   }
-  if (packed.layout != Layout::godot) return table;
-  // From where Godot reads its rows to where theta / (pi/2) says.
+  if (packed.layout != Layout::godot && packed.layout != Layout::ltc_code_alpha) return table;
+  // From where the shader reads its rows and columns to where theta / (pi/2) and the roughness say.
+  std::vector<double> across(std::size_t(table.columns), 1.0);
+  for (int column = 0; column < table.columns; ++column) {
+    const double r = node_roughness(table.columns, column);
+    across[std::size_t(column)] = packed.layout == Layout::ltc_code_alpha ? r * r : r;
+  }
   std::vector<double> from(std::size_t(table.rows), 1.0);
   for (int row = 0; row + 1 < table.rows; ++row)
     from[std::size_t(row)] = look_up_coordinate(
-        Layout::godot, packed.angle_axis,
+        packed.layout, packed.angle_axis,
         cosine_of_coordinate(Layout::native, packed.angle_axis, double(row) / (table.rows - 1)));
-  return interpolate(table, table.columns, from);
+  return interpolate(table, across, from);
 }
 
 } // namespace openltc::table

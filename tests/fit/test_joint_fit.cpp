@@ -3,7 +3,7 @@
 //
 // Fits of many lobes at once: what refinement wins, and that it finds what is known.
 
-#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/joint/joint_fit.h"
 #include "openltc/fit/table_fit.h"
 
 #include <doctest/doctest.h>

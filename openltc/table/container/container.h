@@ -8,6 +8,7 @@
 #include "openltc/base/result.h"
 #include "openltc/table/texture.h"
 
+#include <span>
 #include <string>
 
 namespace openltc::table {
@@ -22,7 +23,9 @@ Bytes encode_dds(const Texture& texture);
 Result<Texture> decode_dds(ByteView bytes, const std::string& name);
 
 /// Khronos texture 2.0 of the same formats, uncompressed, one level; metadata as key/values.
+/// The reader does not take arrays, of layers of one size, channels and precision.
 Bytes encode_ktx2(const Texture& texture);
+Bytes encode_ktx2_array(std::span<const Texture> layers);
 Result<Texture> decode_ktx2(ByteView bytes, const std::string& name);
 
 /// OpenEXR: channels R G B A, R G or R; metadata as string attributes "openltc.KEY".

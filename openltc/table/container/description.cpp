@@ -86,7 +86,9 @@ KeyValues describe(const PackedTable& packed) {
       {"columns", fmt::format("{}", packed.columns())},
       {"rows", fmt::format("{}", packed.rows())},
       {"roughness_axis",
-       "x = roughness = sqrt(alpha), node i at i/(columns-1), texel centre (i + 1/2)/columns"},
+       fmt::format("x = {}, node i at i/(columns-1), texel centre (i + 1/2)/columns",
+                   packed.layout == Layout::ltc_code_alpha ? "alpha = roughness^2"
+                                                           : "roughness = sqrt(alpha)")},
       {"angle_axis", name_of(packed.angle_axis)},
       {"width", packed.width == brdf::LobeWidth::alpha ? "alpha" : "one"},
       {"normalisation", facts.normalisation},

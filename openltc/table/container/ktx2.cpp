@@ -96,7 +96,10 @@ Status read_key_values(ByteView block, const std::string& name, KeyValues& metad
 
 } // namespace
 
-Bytes encode_ktx2(const Texture& texture) {
+Bytes encode_ktx2(const Texture& texture) { return encode_ktx2_array({&texture, 1}); }
+
+Bytes encode_ktx2_array(std::span<const Texture> layers) {
+  const Texture& texture = layers[0];
   const Format* format = std::find_if(std::begin(k_formats), std::end(k_formats), [&](auto& f) {
     return f.channels == texture.channels && f.precision == texture.precision;
   });
@@ -106,18 +109,18 @@ Bytes encode_ktx2(const Texture& texture) {
   const std::size_t keys_at = descriptor_at + descriptor.size();
   const std::size_t alignment = std::max<std::size_t>(texel, 4); // lcm(texel, 4)
   const std::size_t level_at = (keys_at + keys.size() + alignment - 1) / alignment * alignment;
-  const std::size_t level_size = texture.count() * bytes_of(texture.precision);
+  const std::size_t level_size = layers.size() * texture.count() * bytes_of(texture.precision);
 
   Bytes out(k_identifier.begin(), k_identifier.end());
   append_u32(out, format->vk);
   append_u32(out, std::uint32_t(bytes_of(texture.precision))); // size of the data type
   append_u32(out, std::uint32_t(texture.width));
   append_u32(out, std::uint32_t(texture.height));
-  append_u32(out, 0); // depth
-  append_u32(out, 0); // no array
-  append_u32(out, 1); // one face
-  append_u32(out, 1); // one level
-  append_u32(out, 0); // not compressed
+  append_u32(out, 0);                                                    // depth
+  append_u32(out, layers.size() > 1 ? std::uint32_t(layers.size()) : 0); // 0: no array
+  append_u32(out, 1);                                                    // one face
+  append_u32(out, 1);                                                    // one level
+  append_u32(out, 0);                                                    // not compressed
   append_u32(out, std::uint32_t(descriptor_at));
   append_u32(out, std::uint32_t(descriptor.size()));
   append_u32(out, std::uint32_t(keys_at));
@@ -130,7 +133,8 @@ Bytes encode_ktx2(const Texture& texture) {
   out.insert(out.end(), descriptor.begin(), descriptor.end());
   out.insert(out.end(), keys.begin(), keys.end());
   out.resize(level_at, 0);
-  append_values(out, texture);
+  for (const Texture& layer : layers)
+    append_values(out, layer);
   return out;
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/fit/table_samples.h"
+#include "openltc/fit/joint/table_samples.h"
 
 #include "openltc/base/parallel.h"
 #include "openltc/fit/table_fit.h"

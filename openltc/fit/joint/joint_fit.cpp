@@ -9,10 +9,10 @@
 // A table's matrix is that of the bilinear hat functions, whose condition is good; its 4 x 4 blocks
 // on the diagonal precondition it. A polynomial's few unknowns need as many steps at most.
 
-#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/joint/joint_fit.h"
 
 #include "openltc/base/parallel.h"
-#include "openltc/fit/conjugate_gradients.h"
+#include "openltc/fit/joint/conjugate_gradients.h"
 
 #include <Eigen/Dense>
 
@@ -57,6 +57,13 @@ Vector4 interpolate(const JointSample& sample, const Unknowns& unknowns) {
   return x;
 }
 
+// The coefficients A B C D of what is interpolated.
+Vector4 read(const JointSample& sample, const Vector4& y) {
+  if (!sample.read) return y;
+  const Vec4d x = sample.read({y[0], y[1], y[2], y[3]});
+  return {x.x, x.y, x.z, x.w};
+}
+
 // Adds weight * (what the determinant lacks of `least`, relative to it)^2; says whether it lacks.
 bool add_penalty(const JointSample& sample, const Vector4& x, double least, double weight,
                  Local& local) {
@@ -71,9 +78,24 @@ bool add_penalty(const JointSample& sample, const Vector4& x, double least, doub
   return true;
 }
 
-// The objective at one sample, weighted, with the penalty that keeps the determinant away from 0.
-Local evaluate_local(const JointSample& sample, const Vector4& x, const JointFitOptions& options) {
+// The slopes of sample.read at y, a column for each element of y, by central differences.
+Matrix4 slopes_of_read(const JointSample& sample, const Vector4& y) {
+  Matrix4 slopes;
+  for (int k = 0; k < 4; ++k) {
+    const double step = 1e-5 * std::abs(y[k]) + 1e-9;
+    Vector4 more = y, less = y;
+    more[k] += step;
+    less[k] -= step;
+    slopes.col(k) = (read(sample, more) - read(sample, less)) / (more[k] - less[k]);
+  }
+  return slopes;
+}
+
+// The objective at one sample, where `y` is interpolated, weighted, with the penalty that keeps the
+// determinant away from 0.
+Local evaluate_local(const JointSample& sample, const Vector4& y, const JointFitOptions& options) {
   Local local;
+  const Vector4 x = read(sample, y);
   const ObjectiveValue at =
       evaluate_objective(sample.rule, Vec4d(x[0], x[1], x[2], x[3]), options.objective);
   local.value = sample.weight * at.value;
@@ -84,6 +106,11 @@ Local evaluate_local(const JointSample& sample, const Vector4& x, const JointFit
       local.hessian(i, j) = local.hessian(j, i) = sample.weight * at.hessian[k];
   }
   add_penalty(sample, x, options.least_determinant, 1.0, local);
+  if (sample.read && std::isfinite(local.value)) { // by the chain rule, as Gauss and Newton
+    const Matrix4 slopes = slopes_of_read(sample, y);
+    local.gradient = (slopes.transpose() * local.gradient).eval();
+    local.hessian = (slopes.transpose() * local.hessian * slopes).eval();
+  }
   return local;
 }
 
@@ -99,9 +126,9 @@ double evaluate_all(const std::vector<JointSample>& samples, const Unknowns& unk
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-// Solves (H + damping diag blocks) x = -gradient.
+// Solves (H + damping diag blocks) x = -gradient, x being 0 for the first `held` unknowns.
 Unknowns solve(const std::vector<JointSample>& samples, const Locals& locals, double damping,
-               std::size_t count) {
+               std::size_t count, std::size_t held = 0) {
   Unknowns residual(count, Vector4::Zero());
   std::vector<Matrix4, Eigen::aligned_allocator<Matrix4>> block(count, Matrix4::Zero());
   for (std::size_t s = 0; s < samples.size(); ++s) {
@@ -110,6 +137,8 @@ Unknowns solve(const std::vector<JointSample>& samples, const Locals& locals, do
       block[std::size_t(term.unknown)] += term.factor * term.factor * locals[s].hessian;
     }
   }
+  const auto hold = [&](Unknowns& v) { std::fill_n(v.begin(), held, Vector4(Vector4::Zero())); };
+  hold(residual);
   std::vector<Vector4, Eigen::aligned_allocator<Vector4>> diagonal(count);
   std::vector<Eigen::LDLT<Matrix4>> inverse(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -131,6 +160,7 @@ Unknowns solve(const std::vector<JointSample>& samples, const Locals& locals, do
       for (const JointTerm& term : samples[s].terms)
         hp[std::size_t(term.unknown)] += term.factor * h;
     }
+    hold(hp);
   };
   const int most = int(std::min<std::size_t>(4 * count, 300));
   return conjugate_gradients(std::move(residual), 1e-8, most, precondition, multiply);
@@ -149,7 +179,7 @@ JointFit fit_jointly(const std::vector<JointSample>& samples, std::vector<Vec4d>
   double value = evaluate_all(samples, at, options, locals);
   double damping = 1e-3;
   while (fit.iterations < options.max_iterations && damping < 1e8) {
-    const Unknowns step = solve(samples, locals, damping, at.size());
+    const Unknowns step = solve(samples, locals, damping, at.size(), std::size_t(options.held));
     Unknowns trial = at;
     for (std::size_t i = 0; i < trial.size(); ++i)
       trial[i] += step[i];

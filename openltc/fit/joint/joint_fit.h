@@ -11,6 +11,7 @@
 #include "openltc/fit/quadrature.h"
 #include "openltc/target/vec.h"
 
+#include <functional>
 #include <vector>
 
 namespace openltc::fit {
@@ -21,12 +22,14 @@ struct JointTerm {
   double factor = 0;
 };
 
-/// A place where the interpolated lobe is compared with the BRDF: its coefficients A B C D there
-/// are the sum of factor * unknown over the terms.
+/// A place where the interpolated lobe is compared with the BRDF: what is interpolated there is the
+/// sum of factor * unknown over the terms.
 struct JointSample {
   Quadrature rule;
   double weight = 1; ///< of the objective; the penalty below counts fully
   std::vector<JointTerm> terms;
+  /// The coefficients A B C D of what is interpolated, smooth; empty: that is what they are.
+  std::function<Vec4d(Vec4d)> read = {};
 };
 
 /// When a joint fit stops, and what it keeps away from.
@@ -36,6 +39,7 @@ struct JointFitOptions {
   double tolerance = 1e-5; ///< relative decrease of the objective in one step
   /// A D - w B C is kept above this by a quadratic penalty, w being the lobe's width.
   double least_determinant = 0;
+  int held = 0;      ///< so many of the first unknowns stay as they are
   Progress progress; ///< told of every step; when it asks to stop, the fit ends as it stands
 };
 

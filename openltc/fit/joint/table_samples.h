@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "openltc/fit/joint_fit.h"
+#include "openltc/fit/joint/joint_fit.h"
 #include "openltc/table/lobe_table.h"
 
 #include <string>
