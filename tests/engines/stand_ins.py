@@ -76,3 +76,87 @@ def godot_page(examples, work):
         page = replaced(page, re.escape(before), after)
     write(os.path.join(work, "godot.html"), page)
     return "/data/godot.html"
+
+
+# What Bevy imports, and its lights out.
+k_bevy = """
+struct VertexOutput { world_position: vec4f, world_normal: vec3f }
+struct FragmentOutput { color: vec4f }
+struct Material { base_color: vec4f, metallic: f32, perceptual_roughness: f32 }
+struct PbrInput { material: Material, world_position: vec4f, N: vec3f, V: vec3f }
+struct View { exposure: f32 }
+const view = View(1.0);
+var<private> to_eye: vec3f;
+fn pbr_input_from_standard_material(in: VertexOutput, is_front: bool) -> PbrInput {
+  let material = Material(vec4f(scene.floor_color_metallic.rgb, 1.0), scene.floor_color_metallic.a,
+                          scene.floor_roughness.x);
+  return PbrInput(material, in.world_position, in.world_normal, to_eye);
+}
+fn apply_pbr_lighting(in: PbrInput) -> vec4f { return vec4f(0.0, 0.0, 0.0, 1.0); }
+fn main_pass_post_lighting_processing(in: PbrInput, color: vec4f) -> vec4f { return color; }
+SHADER
+fn light_of_floor(position: vec3f, v: vec3f) -> vec3f {
+  lights = AreaLights(scene.quad_center.xyz, scene.quad_half_u.xyz, scene.quad_half_v.xyz, scene.quad_radiance.rgb,
+                      scene.star_radiance.rgb, scene.star);
+  to_eye = v;
+  return fragment(VertexOutput(vec4f(position, 1.0), vec3f(0.0, 1.0, 0.0)), true).color.rgb;
+}
+"""
+
+
+def bevy_page(examples, work):
+    """webgpu.html with Bevy's shader; its name below /data/."""
+    shader = read(examples, "bevy", "src", "area_lights.wgsl")
+    for pattern in (r"^#import .*?^}$", r"^fn ltc_polygon_data.*?^}$", r"^@fragment$"):
+        shader = replaced(shader, pattern, "", re.M | re.S)
+    shader = replaced(shader, re.escape("@builtin(front_facing) "), "")
+    shader = replaced(shader, r"^@group.*var<uniform>", "var<private>")
+    write(os.path.join(work, "floor_bevy.wgsl"),
+          floor_without_light(examples, "floor.wgsl", "") + k_bevy.replace("SHADER", shader))
+    page = read(examples, "webgpu.html")
+    for before, after in (("'floor.wgsl'", "'/data/floor_bevy.wgsl'"),
+                          ("'../../../shaders/ltc_lights.wgsl'", "'/shaders/ltc_lights.wgsl'"),
+                          ("'./scene.js'", "'/docs/examples/engines/scene.js'")):
+        page = replaced(page, re.escape(before), after)
+    write(os.path.join(work, "bevy.html"), page)
+    return "/data/bevy.html"
+
+
+# floor.glsl as HLSL, in the order of scene.h.
+k_hlsl = """
+#define vec2 float2
+#define vec3 float3
+#define vec4 float4
+[[vk::binding(0, 0)]] cbuffer Scene {
+  float4 size, eye, right, up, back, floor_color_metallic, floor_roughness, quad_center, quad_half_u, quad_half_v,
+      quad_radiance, star_radiance;
+};
+[[vk::binding(1, 0)]] RWStructuredBuffer<float4> picture;
+INCLUDES
+float3 light_of_floor(float3 position, float3 view) {
+  float3 light;
+  AreaLights_float(position, float3(0, 1, 0), view, floor_color_metallic.rgb, floor_color_metallic.a,
+                   floor_roughness.x, quad_center.xyz, quad_half_u.xyz, quad_half_v.xyz, quad_radiance.rgb,
+                   star_radiance.rgb, light);
+  return light;
+}
+FLOOR
+[numthreads(8, 8, 1)] void main(uint3 at : SV_DispatchThreadID) {
+  if (at.x < uint(size.x) && at.y < uint(size.y))
+    picture[at.y * uint(size.x) + at.x] = float4(radiance_at(float2(at.xy) + 0.5), 1.0);
+}
+"""
+
+
+def hlsl_shader(examples, work):
+    """A compute shader for the program of Vulkan around unity.hlsl and what it includes; its path."""
+    includes = read(examples, "hlsl", "unity.hlsl")
+    shaders = os.path.join(examples, "..", "..", "..", "shaders")
+    for name, folder in (("star", os.path.join(examples, "hlsl")), ("ltc_lights", shaders),
+                         ("area_lights", os.path.join(examples, "hlsl"))):
+        includes = replaced(includes, r'^#include "%s.hlsl"$' % name, read(folder, name + ".hlsl"))
+    floor = floor_without_light(examples, "floor.glsl", "")
+    floor = replaced(floor, r"^// For a screen.*", "", re.M | re.S).replace("vec3(0.0)", "float3(0.0, 0.0, 0.0)")
+    path = os.path.join(work, "hlsl.comp")
+    write(path, k_hlsl.replace("INCLUDES", includes).replace("FLOOR", floor))
+    return path

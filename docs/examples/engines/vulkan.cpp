@@ -4,20 +4,20 @@
 // Area lights in plain Vulkan, without a window: a quad and a star over a dark floor, as in
 // scenes/engines.glb.
 //
-//   glslangValidator -V --vn k_spirv vulkan.comp -o vulkan_spirv.hpp
-//   c++ -std=c++17 -I. -I../../.. vulkan.cpp -lvulkan -o vulkan
-//   ./vulkan picture.pfm [DEVICE]
+//   glslangValidator -V vulkan.comp -o vulkan.spv
+//   c++ -std=c++17 -I../../.. vulkan.cpp -lvulkan -o vulkan
+//   ./vulkan vulkan.spv picture.pfm [DEVICE]
 //
 // picture.pfm holds radiance. DEVICE is a part of the name of the graphics processor to take. Exit
 // code 2: there is none.
 
 #include "scene.h"
-#include "vulkan_spirv.hpp" // k_spirv
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan.h>
@@ -126,6 +126,18 @@ Buffer make_buffer(const Device& d, VkBufferUsageFlags usage, std::size_t number
   return b;
 }
 
+std::vector<std::uint32_t> read_spirv(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  if (words.empty()) {
+    std::fprintf(stderr, "%s: cannot be read\n", path);
+    std::exit(1);
+  }
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+  return words;
+}
+
 /// The compute pipeline, and what binds its two buffers.
 struct Kernel {
   VkPipeline pipeline = nullptr;
@@ -133,7 +145,8 @@ struct Kernel {
   VkDescriptorSet set = nullptr;
 };
 
-Kernel make_kernel(const Device& d, VkBuffer scene, VkBuffer picture) {
+Kernel make_kernel(const Device& d, const std::vector<std::uint32_t>& spirv, VkBuffer scene,
+                   VkBuffer picture) {
   Kernel k;
   const VkDescriptorType types[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                     VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
@@ -155,8 +168,8 @@ Kernel make_kernel(const Device& d, VkBuffer scene, VkBuffer picture) {
   CHECK(vkCreatePipelineLayout(d.device, &layout, nullptr, &k.layout));
 
   auto source = make<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
-  source.codeSize = sizeof(k_spirv);
-  source.pCode = k_spirv;
+  source.codeSize = spirv.size() * sizeof(std::uint32_t);
+  source.pCode = spirv.data();
   auto info = make<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
   info.layout = k.layout;
   info.stage =
@@ -231,20 +244,20 @@ bool write_pfm(const char* path, const float* rgba) {
 } // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::fprintf(stderr, "usage: vulkan PICTURE.pfm [DEVICE]\n");
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: vulkan SHADER.spv PICTURE.pfm [DEVICE]\n");
     return 1;
   }
-  const Device device = open_device(argc > 2 ? argv[2] : "");
+  const Device device = open_device(argc > 3 ? argv[3] : "");
   const Block block = make_scene();
   const Buffer scene =
       make_buffer(device, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, block.numbers.size());
   const Buffer picture =
       make_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, std::size_t(4) * k_width * k_height);
   std::memcpy(scene.numbers, block.numbers.data(), block.numbers.size() * sizeof(float));
-  run(device, make_kernel(device, scene.buffer, picture.buffer));
-  if (!write_pfm(argv[1], picture.numbers)) {
-    std::fprintf(stderr, "%s: cannot be written\n", argv[1]);
+  run(device, make_kernel(device, read_spirv(argv[1]), scene.buffer, picture.buffer));
+  if (!write_pfm(argv[2], picture.numbers)) {
+    std::fprintf(stderr, "%s: cannot be written\n", argv[2]);
     return 1;
   }
   return 0;
