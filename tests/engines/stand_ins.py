@@ -59,6 +59,23 @@ vec3 light_of_floor(vec3 position, vec3 view) {
 """
 
 
+def write_page(work, name, page, changes):
+    """A page with another shader, of half the size, which draws when it is asked to; its name below /data/."""
+    for pattern, by in [('width="960" height="540"', 'width="480" height="270"'), ("'./scene.js'", "'/data/scene.js'"),
+                        ("  draw();\n", "")] + changes:
+        page = replaced(page, re.escape(pattern), by)
+    write(os.path.join(work, name), page)
+    return "/data/" + name
+
+
+def write_scene(examples, work):
+    """scene.js for such pages."""
+    scene = read(examples, "scene.js")
+    for pattern, by in (("[960, 540]", "[480, 270]"), ("'./polygon.js'", "'/docs/examples/engines/polygon.js'")):
+        scene = replaced(scene, re.escape(pattern), by)
+    write(os.path.join(work, "scene.js"), scene)
+
+
 def godot_page(examples, work):
     """webgl2.html with Godot's file and shader; its name below /data/."""
     shader = read(examples, "godot", "floor.gdshader")
@@ -68,14 +85,9 @@ def godot_page(examples, work):
     shader = replaced(shader, r"^vec4 ltc_polygon_data.*?^}\n", "", re.M | re.S)
     write(os.path.join(work, "floor_godot.glsl"), k_godot_head
           + floor_without_light(examples, "floor.glsl", "") + k_godot.replace("SHADER", shader))
-    page = read(examples, "webgl2.html")
-    for before, after in (("'floor.glsl'", "'/data/floor_godot.glsl'"),
-                          ("'../../../shaders/ltc_lights_es.glsl'", "'/shaders/ltc_lights.gdshaderinc'"),
-                          ("'scene.glsl'", "'/docs/examples/engines/scene.glsl'"),
-                          ("'./scene.js'", "'/docs/examples/engines/scene.js'")):
-        page = replaced(page, re.escape(before), after)
-    write(os.path.join(work, "godot.html"), page)
-    return "/data/godot.html"
+    return write_page(work, "godot.html", read(examples, "webgl2.html"), [
+        ("'floor.glsl'", "'/data/floor_godot.glsl'"), ("'scene.glsl'", "'/docs/examples/engines/scene.glsl'"),
+        ("'../../../shaders/ltc_lights_es.glsl'", "'/shaders/ltc_lights.gdshaderinc'")])
 
 
 # What Bevy imports, and its lights out.
@@ -113,13 +125,9 @@ def bevy_page(examples, work):
     shader = replaced(shader, r"^@group.*var<uniform>", "var<private>")
     write(os.path.join(work, "floor_bevy.wgsl"),
           floor_without_light(examples, "floor.wgsl", "") + k_bevy.replace("SHADER", shader))
-    page = read(examples, "webgpu.html")
-    for before, after in (("'floor.wgsl'", "'/data/floor_bevy.wgsl'"),
-                          ("'../../../shaders/ltc_lights.wgsl'", "'/shaders/ltc_lights.wgsl'"),
-                          ("'./scene.js'", "'/docs/examples/engines/scene.js'")):
-        page = replaced(page, re.escape(before), after)
-    write(os.path.join(work, "bevy.html"), page)
-    return "/data/bevy.html"
+    return write_page(work, "bevy.html", read(examples, "webgpu.html"), [
+        ("'floor.wgsl'", "'/data/floor_bevy.wgsl'"), ("'../../../shaders/ltc_lights.wgsl'", "'/shaders/ltc_lights.wgsl'"),
+        ("await make_pipeline(format, false)", "null")])
 
 
 # floor.glsl as HLSL, in the order of scene.h.
