@@ -542,11 +542,11 @@ float3 ltc_apex_term(float3 p, float inv_p, float s) {
   return float3(-weight * u.z, 0.0, weight * u.x);
 }
 
-// Where an edge crosses a plane, in units of the edge; a, b: heights of its ends, of which one is below
-// and the other not. The division is of their sizes, so that it stays within 0..1 whatever rounding
-// does.
+// Where an edge crosses a plane, in units of the edge, 0..1; a, b: heights of its ends, of which one is
+// below and the other not. The bound is for targets whose reciprocal is not the last digit's: a place
+// beyond the end would count as cut by the other horizon (clip_edge).
 float ltc_crossing_place(float a, float b) {
-  return abs(a) * (1.0 / max(abs(a) + abs(b), ltc_k_tiny));
+  return min(abs(a) * (1.0 / max(abs(a) + abs(b), ltc_k_tiny)), 1.0);
 }
 
 // The part of an edge above a plane, in units of the edge; whole where both ends are above.

@@ -97,11 +97,11 @@ FN Vec3 apex_term(Vec3 p, Real inv_p, Real s) {
   return Vec3(-weight * u.z, Real(0.0), weight * u.x);
 }
 
-/// Where an edge crosses a plane, in units of the edge; a, b: heights of its ends, of which one is below
-/// and the other not. The division is of their sizes, so that it stays within 0..1 whatever rounding
-/// does.
+/// Where an edge crosses a plane, in units of the edge, 0..1; a, b: heights of its ends, of which one is
+/// below and the other not. The bound is for targets whose reciprocal is not the last digit's: a place
+/// beyond the end would count as cut by the other horizon (clip_edge).
 FN Real crossing_place(Real a, Real b) {
-  return abs(a) * reciprocal(max(abs(a) + abs(b), Real(k_tiny)));
+  return min(abs(a) * reciprocal(max(abs(a) + abs(b), Real(k_tiny))), Real(1.0));
 }
 
 /// The part of an edge above a plane, in units of the edge; whole where both ends are above.

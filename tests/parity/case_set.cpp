@@ -81,9 +81,11 @@ void add_elements(const PolygonView& v, std::vector<float>& to) {
   to.insert(to.end(), v.points, v.points + 4 * v.point_count);
 }
 
-// Turned from the shading normal, unless the eye would see its back.
+// Turned from the shading normal, unless the eye would see its back. Half are not: what lanes have
+// in common with a neighbour that is, must not change them.
 Vec3f triangle_normal(const LightCase& light, Random& random) {
   const Vec3d n = to_double(light.normal), wo = to_double(light.wo);
+  if (random.uniform(0, 1) < 0.5) return light.normal;
   const Vec3d turned = normalize(n + random.sphere() * random.uniform(0.01, 0.4));
   return dot(turned, wo) < 0.01 ? light.normal : to_float(turned);
 }
