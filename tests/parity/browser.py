@@ -1,10 +1,11 @@
 # Copyright (c) 2026 The OpenLTC authors
 # SPDX-License-Identifier: MIT
-"""Shaders in a browser: Chromium without a window opens page.html from a server of Python's own library, and the
-page posts what it finds. No driver protocol, no Node."""
+"""Pages in a browser: Chromium without a window opens a page from a server of Python's own library, and the page
+posts what it finds. No driver protocol, no Node."""
 
 import http.server
 import json
+import mimetypes
 import os
 import shutil
 import subprocess
@@ -12,7 +13,6 @@ import tempfile
 import threading
 import urllib.parse
 
-k_here = os.path.dirname(os.path.abspath(__file__))
 k_names = ("chromium", "chromium-browser", "google-chrome")
 
 k_flags = ["--headless=new", "--no-first-run", "--disable-dev-shm-usage", "--enable-unsafe-webgpu",
@@ -34,7 +34,7 @@ def find():
     return None
 
 
-def make_handler(folder, jobs, answers, done):
+def make_handler(page_file, folder, jobs, answers, done, root):
     class Handler(http.server.BaseHTTPRequestHandler):
         def log_message(self, *_):
             pass
@@ -46,15 +46,19 @@ def make_handler(folder, jobs, answers, done):
             self.end_headers()
             self.wfile.write(content)
 
+        def reply_file(self, path):
+            with open(path, "rb") as data:
+                self.reply(data.read(), mimetypes.guess_type(path)[0] or "application/octet-stream")
+
         def do_GET(self):
             if self.path == "/":
-                with open(os.path.join(k_here, "page.html"), "rb") as page:
-                    self.reply(page.read(), "text/html")
+                self.reply_file(page_file)
             elif self.path == "/jobs":
                 self.reply(json.dumps(jobs).encode(), "application/json")
             elif self.path.startswith("/data/"):
-                with open(os.path.join(folder, os.path.basename(self.path)), "rb") as data:
-                    self.reply(data.read())
+                self.reply_file(os.path.join(folder, os.path.basename(self.path)))
+            elif root and ".." not in self.path and os.path.isfile(root + self.path):
+                self.reply_file(root + self.path)
             else:
                 self.send_error(404)
 
@@ -72,11 +76,12 @@ def make_handler(folder, jobs, answers, done):
     return Handler
 
 
-def run(program, folder, jobs, hardware=False, timeout=300):
-    """Runs jobs, whose files are in `folder`, where their results go as NAME.bin. Returns what the page posted,
-    name -> facts, among them "webgpu" and "webgl2", and "done" if it came to its end."""
+def run(program, page, folder, jobs, root=None, hardware=False, timeout=300):
+    """Opens `page`, which finds jobs at /jobs, their files, those of `folder`, below /data, and all others below
+    `root`, if there is one. Their results go to `folder` as NAME.bin. Returns what the page posted, name -> facts,
+    and "done" if it came to its end."""
     answers, done = {}, threading.Event()
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), make_handler(folder, jobs, answers, done))
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), make_handler(page, folder, jobs, answers, done, root))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with tempfile.TemporaryDirectory(prefix="openltc_browser_", ignore_cleanup_errors=True) as profile:
         command = ([program] + k_flags + (k_hardware if hardware else k_software)

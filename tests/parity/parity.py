@@ -171,7 +171,8 @@ def run_chromium(runner):
     program = browser.find()
     if not program:
         raise Skipped("no chromium (package chromium)")
-    answers = browser.run(program, runner.work, browser_jobs(runner), hardware=bool(runner.device))
+    page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "page.html")
+    answers = browser.run(program, page, runner.work, browser_jobs(runner), hardware=bool(runner.device))
     if "webgpu" not in answers:
         raise Skipped("%s opened no page" % program)
     rows, absent = [], []
