@@ -8,15 +8,15 @@
 import json
 import math
 import os
-import re
-import shutil
 import struct
 import subprocess
 import sys
 
 k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(k_root, "tools/npm"))
+import npm_packages  # noqa: E402  the folder is on the path only now
+
 k_exit_skipped = 77
-k_oldest_node = 18
 
 
 def skip(reason):
@@ -28,35 +28,13 @@ def run(*command):
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
 
-def read(path):
-    with open(path, encoding="utf-8") as stream:
-        return stream.read()
-
-
 def install(work):
     """Installs the pinned validator below work, once. Returns the folder of the packages."""
-    node, npm = shutil.which("node"), shutil.which("npm")
-    if not node or not npm:
-        skip("the glTF validator needs node and npm (packages nodejs, npm)")
-    version = run(node, "--version").stdout.strip()
-    if int(re.match(r"v(\d+)", version).group(1)) < k_oldest_node:
-        skip("the glTF validator needs Node %d or later, this is %s" % (k_oldest_node, version))
-    here = os.path.join(k_root, "tools/gltf")
     prefix = os.path.join(work, "npm")
-    modules = os.path.join(prefix, "node_modules")
-    lock = os.path.join(prefix, "package-lock.json")
-    if not (os.path.isdir(modules) and os.path.exists(lock)
-            and read(lock) == read(os.path.join(here, "package-lock.json"))):
-        os.makedirs(prefix, exist_ok=True)
-        for name in ("package.json", "package-lock.json"):
-            shutil.copyfile(os.path.join(here, name), os.path.join(prefix, name))
-        result = subprocess.run([npm, "ci", "--prefix", prefix, "--ignore-scripts", "--no-audit",
-                                 "--no-fund"], cwd=prefix, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, text=True)
-        if result.returncode != 0:
-            shutil.rmtree(prefix, ignore_errors=True)
-            skip("npm could not fetch the validator:\n" + result.stdout)
-    return modules
+    why = npm_packages.install(os.path.join(k_root, "tools/gltf"), prefix)
+    if why:
+        skip(why)
+    return os.path.join(prefix, "node_modules")
 
 
 def write_lamps(folder):

@@ -7,15 +7,15 @@
 
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
 
 k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 k_exit_skipped = 77
-sys.path.insert(0, os.path.join(k_root, "tools/shaders"))
+sys.path[:0] = [os.path.join(k_root, "tools/shaders"), os.path.join(k_root, "tools/npm")]
 import check_shaders  # noqa: E402  installs the pinned naga
+import npm_packages  # noqa: E402
 
 k_layouts = ["native", "ltc_code", "unity", "godot", "o3de"]
 
@@ -114,29 +114,11 @@ def check_source(tool, work):
 
 def install(work):
     """Installs the pinned readers below work, once. Returns the folder of the packages."""
-    node, npm = shutil.which("node"), shutil.which("npm")
-    if not node or not npm:
-        skip("the independent readers need node and npm (packages nodejs, npm)")
-    version = run(node, "--version").strip()
-    if int(re.match(r"v(\d+)", version).group(1)) < check_shaders.k_oldest_node:
-        skip("the independent readers need Node %d or later, this is %s"
-             % (check_shaders.k_oldest_node, version))
-    here = os.path.join(k_root, "tools/tables")
     prefix = os.path.join(work, "npm")
-    modules = os.path.join(prefix, "node_modules")
-    lock = os.path.join(prefix, "package-lock.json")
-    if not (os.path.isdir(modules) and os.path.exists(lock)
-            and read(lock) == read(os.path.join(here, "package-lock.json"))):
-        os.makedirs(prefix, exist_ok=True)
-        for name in ("package.json", "package-lock.json"):
-            shutil.copyfile(os.path.join(here, name), os.path.join(prefix, name))
-        result = subprocess.run([npm, "ci", "--prefix", prefix, "--ignore-scripts", "--no-audit",
-                                 "--no-fund"], cwd=prefix, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, text=True)
-        if result.returncode != 0:
-            shutil.rmtree(prefix, ignore_errors=True)
-            skip("npm could not fetch the readers:\n" + result.stdout)
-    return modules
+    why = npm_packages.install(os.path.join(k_root, "tools/tables"), prefix)
+    if why:
+        skip(why)
+    return os.path.join(prefix, "node_modules")
 
 
 def check_npy(path, values):

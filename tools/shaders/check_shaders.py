@@ -22,9 +22,11 @@ import subprocess
 import sys
 
 k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.append(os.path.join(k_root, "tools/npm"))
+import npm_packages  # noqa: E402  the folder is on the path only now
+
 k_include = re.compile(r'^\s*#include "([^"]+)"')
 k_exit_skipped = 77
-k_oldest_node = 18
 
 
 def expand(root, path, lines, included):
@@ -94,33 +96,12 @@ def compile_templates(root, work):
 
 def install_naga(work):
     """Installs the pinned naga below work, once. Returns its folder or exits with 'skipped'."""
-    node, npm = shutil.which("node"), shutil.which("npm")
-    if not node or not npm:
-        print("skipped: the WGSL check needs node and npm (packages nodejs, npm)")
-        sys.exit(k_exit_skipped)
-    version = subprocess.run([node, "--version"], stdout=subprocess.PIPE, text=True).stdout.strip()
-    if int(re.match(r"v(\d+)", version).group(1)) < k_oldest_node:
-        print("skipped: the WGSL check needs Node %d or later, this is %s" % (k_oldest_node, version))
-        sys.exit(k_exit_skipped)
-
-    here = os.path.dirname(os.path.abspath(__file__))
     prefix = os.path.join(work, "naga")
-    package = os.path.join(prefix, "node_modules", "naga-wasm")
-    lock = os.path.join(prefix, "package-lock.json")
-    pinned = open(os.path.join(here, "package-lock.json"), encoding="utf-8").read()
-    if not (os.path.exists(os.path.join(package, "package.json")) and os.path.exists(lock)
-            and open(lock, encoding="utf-8").read() == pinned):
-        os.makedirs(prefix, exist_ok=True)
-        for name in ("package.json", "package-lock.json"):
-            shutil.copyfile(os.path.join(here, name), os.path.join(prefix, name))
-        result = subprocess.run([npm, "ci", "--prefix", prefix, "--ignore-scripts", "--no-audit",
-                                 "--no-fund"], cwd=prefix, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, text=True)
-        if result.returncode != 0:
-            shutil.rmtree(prefix, ignore_errors=True)
-            print("skipped: npm could not fetch naga-wasm:\n" + result.stdout)
-            sys.exit(k_exit_skipped)
-    return package
+    why = npm_packages.install(os.path.dirname(os.path.abspath(__file__)), prefix)
+    if why:
+        print("skipped: " + why)
+        sys.exit(k_exit_skipped)
+    return os.path.join(prefix, "node_modules", "naga-wasm")
 
 
 def main():

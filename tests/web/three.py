@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+"""Shows scenes by three.js with the lights of web/three, in a browser without a window, and compares the pictures
+with those of `openltc render`, which reads the same files.
+
+    three.py --openltc PROGRAM --work DIR [--spoil]
+
+A scene is the stage of tools/make_light_shapes.py under lights of openltc_light. The page makes lights of the
+package of them, or, for the figure beside ours, three's own RectAreaLight. Pictures are radiance as floats. They
+are compared as a screen shows them: times an exposure, clipped at white, sRGB, in steps of 255.
+
+--spoil: one light of each scene is mirrored for openltc render alone, so that the check must fail.
+
+Exit code 0: all pictures agree; 1: one does not; 77: nothing could run, and why."""
+
+import argparse
+import copy
+import math
+import os
+import shutil
+import subprocess
+import sys
+
+k_here = os.path.dirname(os.path.abspath(__file__))
+k_root = os.path.dirname(os.path.dirname(k_here))
+sys.path[:0] = [os.path.join(k_root, "tests", "parity"), os.path.join(k_root, "tests", "engines"),
+                os.path.join(k_root, "tools"), os.path.join(k_root, "tools", "npm")]
+import browser
+import make_light_shapes
+import npm_packages
+from demo_scene.parts import facing
+from engines import read_exr, read_rows, run, skip
+
+# Steps of 255: in the mean, without the pixels in which the two draw another surface. Measured: 0.05 at most.
+k_mean = 0.1
+# Such pixels are off by more than so many steps: edges of triangles go to the nearest 256th of a pixel in WebGL.
+# Measured: 32.
+k_edge, k_edges = 8, 60
+# What three's own rectangle must be off by at least, or the measure sees nothing. Measured: 6.
+k_theirs = 1.0
+
+
+def light(shape, position, target, nits, color=(1.0, 0.9, 0.75), **more):
+    brightness = {} if "flux_lumens" in more else {"luminance_nits": nits}
+    return (position, facing(position, target),
+            dict({"type": shape, "color": list(color)}, **brightness, **more))
+
+
+def star(points, outer, inner):
+    return [[(inner if k % 2 else outer) * math.cos(math.pi * (0.5 + k / points)),
+             (inner if k % 2 else outer) * math.sin(math.pi * (0.5 + k / points))] for k in range(2 * points)]
+
+
+k_above, k_middle = (-0.5, 1.3, 0.7), (0.1, 0.1, -0.1)
+k_ring = [[-0.5, -0.4], [0.55, -0.4], [0.55, 0.4], [0.1, 0.1], [-0.5, 0.4]]
+k_hole = [[-0.35, -0.25], [-0.35, -0.05], [0.2, -0.05], [0.2, -0.25]]
+k_scenes = {
+    "rect": [light("rect", k_above, k_middle, 3, width=0.9, height=0.5)],
+    "polygon": [light("polygon", k_above, k_middle, 3, points=k_ring, holes=[k_hole])],
+    # Through the floor and each other, of two sides, of lumens; more elements than a row of the texture.
+    "many": [light("polygon", (-0.9, 0.5, 0.2), (0.3, 0.1, -0.2), 2, points=star(5, 0.4, 0.18), two_sided=True),
+             light("rect", (0.9, 0.1, -0.3), (-0.2, 0.3, 0.1), 3, (0.4, 0.7, 1.0), width=0.3, height=0.7),
+             light("rect", (0.2, 1.4, 0.4), (0.2, 0.0, 0.3), 0, (1.0, 0.5, 0.4), width=0.2, height=0.2,
+                   flux_lumens=0.8, two_sided=True)]
+            + [light("polygon", (0.3 * k - 0.9, 1.0, -0.6), (0.3 * k - 0.9, 0.0, 0.0), 1,
+                     (1.0, 0.3 + 0.1 * k, 0.2), points=star(17, 0.12, 0.06)) for k in range(7)],
+}
+k_scenes["physical"] = k_scenes["coat"] = k_scenes["rect"]
+
+
+def physical(material, drawn):
+    material["extensions"] = {"KHR_materials_ior": {"ior": 1.9}, "KHR_materials_specular": {
+        "specularFactor": 0.7, "specularColorFactor": [1.0, 0.6, 0.3]}}
+
+
+def coat(material, drawn):
+    """A clear coat on black, which reflects nothing, is what a black dielectric is."""
+    surface = material["pbrMetallicRoughness"]
+    surface.update(baseColorFactor=[0, 0, 0, 1], metallicFactor=0)
+    if drawn:
+        material["extensions"] = {"KHR_materials_specular": {"specularFactor": 0}, "KHR_materials_clearcoat": {
+            "clearcoatFactor": 1, "clearcoatRoughnessFactor": surface["roughnessFactor"]}}
+
+
+k_materials = {"physical": physical, "coat": coat}
+k_jobs = [(name, name, True) for name in k_scenes] + [("three's own rect", "rect", False)]
+
+
+def size_of(scene):
+    """Width and height; the software driver takes seconds for many lights."""
+    return (240, 160) if scene == "many" else (480, 320)
+
+
+def write_scene(name, lights, path, drawn):
+    """A scene: as the page draws it, or as openltc render does."""
+    def add(room):
+        for material in room.file.document["materials"] if name in k_materials else []:
+            k_materials[name](material, drawn)
+        for k, (position, rotation, extras) in enumerate(lights):
+            room.node("light %d" % k, position, rotation=rotation, extras={"openltc_light": extras})
+
+    with open(path, "wb") as stream:
+        stream.write(make_light_shapes.make(add))
+
+
+def mirrored(lights):
+    """The first light, its x turned over."""
+    (x, y, z), (qx, qy, qz, qw), extras = copy.deepcopy(lights[0])
+    return [((-x, y, z), (qx, -qy, -qz, qw), extras)] + lights[1:]
+
+
+def make_package(openltc, work):
+    shutil.rmtree(work + "/package", ignore_errors=True)
+    run(shutil.which("node"), os.path.join(k_root, "web/three/build.mjs"), openltc, work + "/package")
+
+
+def rendered(openltc, scene, picture, size):
+    run(openltc, "render", scene, "--lobes", "polynomial", "--specular", "lobe", "--samples", "1", "--filter", "none",
+        "--shadow-samples", "0", "--size", "%dx%d" % size, "-o", picture)
+    return read_exr(picture)
+
+
+def shown(radiance, exposure):
+    """0 to 255, as a screen is given it."""
+    x = min(max(radiance * exposure, 0.0), 1.0)
+    return 255 * (12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055)
+
+
+def compare(rows, expected):
+    """Mean difference in steps of 255, that without edges, how many pixels those are, how many are lit."""
+    values = sorted(x for row in expected for x in row)
+    exposure = 1 / values[int(0.98 * len(values))]  # 2 in 100 are white
+    whole, rest, edges, lit = 0.0, 0.0, 0, 0
+    for row, right in zip(rows, expected):
+        a, b = ([shown(x, exposure) for x in one] for one in (row, right))
+        for k in range(0, len(a), 3):
+            differences = [abs(a[k + c] - b[k + c]) for c in range(3)]
+            whole += sum(differences)
+            lit += max(b[k:k + 3]) > 8
+            if max(differences) > k_edge:
+                edges += 1
+            else:
+                rest += sum(differences)
+    count = len(rows) * len(rows[0])
+    return whole / count, rest / (count - 3 * edges), edges, lit
+
+
+def judge(name, own, rows, expected, facts):
+    """What is wrong, in words."""
+    if not math.isfinite(sum(map(sum, rows))):
+        return ["%s: infinite, or no number" % name]
+    whole, mean, edges, lit = compare(rows, expected)
+    pixels = len(rows) * len(rows[0]) // 3
+    print("%s: off by %.3f of 255 in the mean, by %.4f without %d pixels of %d; %d are lit; %.0f ms to compile, "
+          "%.0f ms a picture" % (name, whole, mean, edges, pixels, lit, facts["compile"], facts["frame"]), flush=True)
+    if lit < 0.2 * pixels:
+        return ["%s: the scene is too dark to tell" % name]
+    if not own:
+        return [] if whole >= k_theirs else ["%s: as good as ours, or the measure sees nothing" % name]
+    return [] if mean <= k_mean and edges <= k_edges else [
+        "%s differs from openltc render; bounds are %g and %d" % (name, k_mean, k_edges)]
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Compares three.js under our lights with openltc render.")
+    parser.add_argument("--openltc", required=True)
+    parser.add_argument("--work", required=True, help="folder for what is made on the way")
+    parser.add_argument("--spoil", action="store_true", help="mirror a light, to see the check fail")
+    arguments = parser.parse_args()
+    work = os.path.abspath(arguments.work)
+    program = browser.find()
+    if not program:
+        skip("no chromium (package chromium)")
+    os.makedirs(work, exist_ok=True)
+    why = npm_packages.install(k_here, work + "/npm")
+    if why:
+        skip(why)
+    make_package(arguments.openltc, work)
+    expected = {}
+    for name, lights in k_scenes.items():
+        write_scene(name, mirrored(lights) if arguments.spoil else lights, work + "/scene.glb", False)
+        expected[name] = rendered(arguments.openltc, work + "/scene.glb", work + "/%s.exr" % name, size_of(name))
+        write_scene(name, lights, work + "/%s.glb" % name, True)
+    jobs = [{"name": name, "scene": scene + ".glb", "own": own, "size": size_of(scene)}
+            for name, scene, own in k_jobs]
+    answers = browser.run(program, os.path.join(k_here, "three.html"), work, jobs, root=work)
+    if "start" in answers:
+        (skip if answers["start"]["failed"].startswith("no WebGL2") else sys.exit)(answers["start"]["failed"])
+    failures = []
+    for name, scene, own in k_jobs:
+        answer = answers.get(name, {"failed": "no answer in time"})
+        if "failed" in answer:
+            failures.append("%s: %s" % (name, answer["failed"]))
+        else:
+            rows = read_rows(os.path.join(work, name + ".bin"), size_of(scene), 4, True)
+            failures += judge(name, own, rows, expected[scene], answer)
+    for failure in failures:
+        print(failure, file=sys.stderr)
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()

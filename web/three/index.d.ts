@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+
+import type {BufferGeometry, Camera, ColorRepresentation, Light, LineBasicMaterial, LineSegments, Scene, Vector2} from 'three';
+
+/** A corner of an outline: metres, in the light's xy plane. */
+export type Corner = Vector2 | readonly [number, number];
+
+/** What all lights have. Emission is the same in all directions. */
+export abstract class AreaLight extends Light {
+  readonly isAreaLight: true;
+  /** Nits: candela per square metre along the normal of the emitting surface. It is three.js's `intensity`. */
+  luminance: number;
+  /**
+   * Lumens of the whole light, of both sides where it has two, at its size now and without its node's scale.
+   * Setting it sets the luminance.
+   */
+  power: number;
+}
+
+/** A light in its xy plane, which shines along its -z. */
+export abstract class PlanarLight extends AreaLight {
+  /** Whether it shines along +z too. */
+  twoSided: boolean;
+}
+
+/** A rectangle, as three's RectAreaLight. */
+export class RectLight extends PlanarLight {
+  /** Nits; metres, 1 by default. */
+  constructor(color?: ColorRepresentation, luminance?: number, width?: number, height?: number, twoSided?: boolean);
+  width: number;
+  height: number;
+}
+
+/** A polygon of any outline, convex or not, with holes. */
+export class PolygonLight extends PlanarLight {
+  /**
+   * Outlines run either way round and must not cross themselves or each other; holes lie in the outline.
+   * @throws Error where one has no three corners, no area, or a corner that is no number.
+   */
+  constructor(color?: ColorRepresentation, luminance?: number, points?: readonly Corner[],
+              holes?: readonly (readonly Corner[])[], twoSided?: boolean);
+  readonly points: readonly Corner[];
+  readonly holes: readonly (readonly Corner[])[];
+  /** Another outline; throws as the constructor does, and the light then stays as it was. */
+  setOutline(points: readonly Corner[], holes?: readonly (readonly Corner[])[]): this;
+}
+
+/** The lights of a scene. */
+export interface SceneLights {
+  /**
+   * Prepares materials for the lights that `camera` sees now, before renderer.compile or compileAsync. World
+   * matrices must be right. Before a picture it is called by itself.
+   */
+  update(camera: Camera): void;
+  /** Ends it: the scene's onBeforeRender and onAfterRender are what they were. */
+  dispose(): void;
+}
+
+/**
+ * Lets the area lights of a scene shine, from the next picture of WebGLRenderer on. Call it once a scene; if you
+ * set its onBeforeRender or onAfterRender, do so before.
+ */
+export function enableAreaLights(scene: Scene): SceneLights;
+
+/** Lines along the outline of a light; add it to the scene or to the light. */
+export class AreaLightHelper extends LineSegments<BufferGeometry, LineBasicMaterial> {
+  /** In the light's colour, where none is given. */
+  constructor(light: AreaLight, color?: ColorRepresentation);
+  readonly light: AreaLight;
+  color?: ColorRepresentation;
+  /** After a change of the light's size. */
+  update(): void;
+  dispose(): void;
+}

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// All lights of a scene in one texture: four-component elements, a row of 256 after the other.
+//
+// A light is a head and its shape's elements: the head is its radiance and the number of elements to the next
+// light. Lights of a shape stand together. Positions are relative to the camera, axes those of the world, so that
+// single precision serves scenes far from their origin.
+
+import {DataTexture, FloatType, NearestFilter, RGBAFormat, Vector2} from 'three';
+
+export const rowLength = 256; // the shader takes an index apart by 255 and 8
+
+/// In the order in which they stand in the texture.
+export const shapes = ['quad', 'polygon'];
+
+export class LightRows {
+  constructor() {
+    /// For each shape where its first light begins and its last one ends.
+    this.ranges = Object.fromEntries(shapes.map(shape => [shape, new Vector2()]));
+    this.reserve(1);
+  }
+
+  reserve(rows) {
+    this.texture?.dispose();
+    this.data = new Float32Array(4 * rowLength * rows);
+    this.texture = new DataTexture(this.data, rowLength, rows, RGBAFormat, FloatType);
+    this.texture.minFilter = this.texture.magFilter = NearestFilter;
+    this.rows = rows;
+  }
+
+  /// Writes the lights, as seen from `origin`, a Vector3.
+  write(lights, origin) {
+    const elements = [];
+    for (const shape of shapes) {
+      this.ranges[shape].x = elements.length;
+      for (const light of lights)
+        if (light.shape === shape) {
+          const {color, luminance} = light, own = light.elements(light.frame(origin));
+          elements.push([color.r * luminance, color.g * luminance, color.b * luminance, own.length + 1], ...own);
+        }
+      this.ranges[shape].y = elements.length;
+    }
+    const rows = Math.ceil(elements.length / rowLength);
+    if (rows > this.rows) this.reserve(2 * rows);
+    elements.forEach((element, i) => this.data.set(element, 4 * i));
+    this.texture.needsUpdate = true;
+  }
+
+  dispose() { this.texture.dispose(); }
+}
