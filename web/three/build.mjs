@@ -43,7 +43,7 @@ function definitions(text) {
 function shaders(openltc) {
   const folder = mkdtempSync(join(tmpdir(), 'openltc-three-'));
   try {
-    execFileSync(openltc, ['shaders', '--language', 'glsl-es', '--shapes', 'quad,polygon,disk,sphere,tube,line',
+    execFileSync(openltc, ['shaders', '--language', 'glsl-es', '--lean', '--shapes', 'quad,polygon,disk,sphere,tube,line',
                            '--prefix', prefix, '--quiet', '-o', folder]);
     const [name] = readdirSync(folder);
     return definitions(code(readFileSync(join(folder, name), 'utf8')));

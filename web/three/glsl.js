@@ -6,10 +6,16 @@
 import {definitions} from './shaders.js';
 
 // A light of each shape; i is its head.
+const element = k => `openltc_element(i + ${k})`;
+const halves = `${element(1)}.xyz, ${element(2)}.xyz, ${element(3)}.xyz, ${element(1)}.w`;
 const calls = {
-  quad: `openltc_shade_quad_parts(surface, openltc_make_quad(openltc_element(i + 1).xyz,
-        openltc_element(i + 2).xyz, openltc_element(i + 3).xyz, openltc_element(i + 1).w))`,
+  quad: `openltc_shade_quad_parts(surface, openltc_make_quad(${halves}))`,
   polygon: 'openltc_shade_polygon_parts(surface, i + 1)',
+  ellipse: `openltc_shade_ellipse_parts(surface, openltc_make_ellipse(${halves}))`,
+  sphere: `openltc_shade_sphere_parts(surface, openltc_make_sphere(${element(1)}.xyz, ${element(1)}.w))`,
+  tube: `openltc_shade_tube_parts(surface,
+        openltc_make_tube(${element(1)}.xyz, ${element(2)}.xyz, ${element(1)}.w, ${element(2)}.w))`,
+  line: `openltc_shade_line_parts(surface, openltc_make_line(${element(1)}.xyz, ${element(2)}.xyz))`,
 };
 
 // `text` and what it needs of the definitions, those first.
@@ -26,8 +32,29 @@ function withDefinitions(text) {
   return definitions.filter(([name]) => needed.has(name)).map(([, own]) => own).join('\n') + '\n' + text;
 }
 
-/// Declarations and functions, to stand before main().
-export function functionsFor(shapes) {
+// Round shapes are written out for so many lights: SwiftShader, which compiles one in a second, takes minutes for
+// one in a loop.
+const round = ['ellipse', 'sphere', 'tube'], mostCopies = 4;
+
+/// What a shader holds for `count` lights of a shape, beside the number itself: as a word, '' for none.
+export function formOf(shape, count) {
+  if (count === 0) return '';
+  return round.includes(shape) && count <= mostCopies ? `${shape}:${count}` : shape;
+}
+
+// The sum over all lights of a form.
+function sumOf(form) {
+  const [shape, copies] = form.split(':'), end = `openltc_range_${shape}.y`;
+  const body = `    head = openltc_element(i);
+    sum = openltc_add_light(sum, ${calls[shape]}, head.rgb);
+    i += int(head.w);
+`;
+  const lights = copies ? `  {\n${body}  }\n`.repeat(copies) : `  while (i < ${end}) {\n${body}  }\n`;
+  return `  i = openltc_range_${shape}.x;\n${lights}`;
+}
+
+/// Declarations and functions, to stand before main(), for forms of shapes.
+export function functionsFor(forms) {
   const sums = withDefinitions(`
 openltc_ShadedLight openltc_add_light(openltc_ShadedLight sum, openltc_ShadedLight light, vec3 radiance) {
   sum.diffuse += radiance * light.diffuse;
@@ -37,12 +64,9 @@ openltc_ShadedLight openltc_add_light(openltc_ShadedLight sum, openltc_ShadedLig
 
 openltc_ShadedLight openltc_shade_lights(openltc_Surface surface) {
   openltc_ShadedLight sum = openltc_ShadedLight(vec3(0.0), vec3(0.0));
-${shapes.map(shape => `  for (int i = openltc_range_${shape}.x; i < openltc_range_${shape}.y;) {
-    vec4 head = openltc_element(i);
-    sum = openltc_add_light(sum, ${calls[shape]}, head.rgb);
-    i += int(head.w);
-  }
-`).join('')}  return sum;
+  int i;
+  vec4 head;
+${forms.map(sumOf).join('')}  return sum;
 }
 
 // A layer of the material: position and directions in the axes of three.js's view.
@@ -55,7 +79,7 @@ openltc_ShadedLight openltc_shade_layer(vec3 position, vec3 normal, vec3 view, v
 `);
   return `uniform highp sampler2D openltc_elements;
 uniform vec3 openltc_origin;
-${shapes.map(shape => `uniform ivec2 openltc_range_${shape};\n`).join('')}
+${forms.map(form => `uniform ivec2 openltc_range_${form.split(':')[0]};\n`).join('')}
 vec4 openltc_element(int i) { return texelFetch(openltc_elements, ivec2(i & 255, i >> 8), 0); }
 vec4 openltc_polygon_data(int i) { return openltc_element(i); }
 ${sums}`;

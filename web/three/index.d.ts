@@ -6,9 +6,15 @@ import type {BufferGeometry, Camera, ColorRepresentation, Light, LineBasicMateri
 /** A corner of an outline: metres, in the light's xy plane. */
 export type Corner = Vector2 | readonly [number, number];
 
-/** What all lights have. Emission is the same in all directions. */
+/** What all lights have. Emission is the same in all directions; `color` is a factor. */
 export abstract class AreaLight extends Light {
   readonly isAreaLight: true;
+  /** Lumens of the whole light. Setting it sets the luminance or intensity. */
+  power: number;
+}
+
+/** A light with a surface. */
+export abstract class SurfaceLight extends AreaLight {
   /** Nits: candela per square metre along the normal of the emitting surface. It is three.js's `intensity`. */
   luminance: number;
   /**
@@ -19,7 +25,7 @@ export abstract class AreaLight extends Light {
 }
 
 /** A light in its xy plane, which shines along its -z. */
-export abstract class PlanarLight extends AreaLight {
+export abstract class PlanarLight extends SurfaceLight {
   /** Whether it shines along +z too. */
   twoSided: boolean;
 }
@@ -44,6 +50,51 @@ export class PolygonLight extends PlanarLight {
   readonly holes: readonly (readonly Corner[])[];
   /** Another outline; throws as the constructor does, and the light then stays as it was. */
   setOutline(points: readonly Corner[], holes?: readonly (readonly Corner[])[]): this;
+}
+
+/** An ellipse, exact. */
+export class EllipseLight extends PlanarLight {
+  /** Nits; metres, 0.5 by default. */
+  constructor(color?: ColorRepresentation, luminance?: number, radiusX?: number, radiusY?: number, twoSided?: boolean);
+  radiusX: number;
+  radiusY: number;
+}
+
+/** A disk, exact. */
+export class DiskLight extends PlanarLight {
+  /** Nits; metres, 0.5 by default. */
+  constructor(color?: ColorRepresentation, luminance?: number, radius?: number, twoSided?: boolean);
+  radius: number;
+}
+
+/** A sphere. */
+export class SphereLight extends SurfaceLight {
+  /** Nits; metres, 0.1 by default. */
+  constructor(color?: ColorRepresentation, luminance?: number, radius?: number);
+  radius: number;
+}
+
+/** Ends of a tube: half spheres, disks, or open, where its side shines outwards alone. */
+export type Caps = 'round' | 'flat' | 'none';
+
+/** A cylinder or capsule along x. */
+export class TubeLight extends SurfaceLight {
+  /**
+   * Nits; metres, 1 and 0.02 by default.
+   * @throws Error where caps are none of the three.
+   */
+  constructor(color?: ColorRepresentation, luminance?: number, length?: number, radius?: number, caps?: Caps);
+  /** Without round ends. */
+  length: number;
+  radius: number;
+  caps: Caps;
+}
+
+/** A tube along x without thickness; `intensity` is in candela, of the whole line across it. */
+export class LineLight extends AreaLight {
+  /** Candela; metres, 1 by default. */
+  constructor(color?: ColorRepresentation, intensity?: number, length?: number);
+  length: number;
 }
 
 /** The lights of a scene. */

@@ -2,5 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 export {AreaLightHelper} from './helper.js';
-export {PolygonLight, RectLight} from './lights.js';
+export {DiskLight, EllipseLight, PolygonLight, RectLight} from './flat_lights.js';
+export {LineLight, SphereLight, TubeLight} from './round_lights.js';
 export {enableAreaLights} from './scene.js';

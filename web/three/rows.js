@@ -12,7 +12,7 @@ import {DataTexture, FloatType, NearestFilter, RGBAFormat, Vector2} from 'three'
 export const rowLength = 256; // the shader takes an index apart by 255 and 8
 
 /// In the order in which they stand in the texture.
-export const shapes = ['quad', 'polygon'];
+export const shapes = ['quad', 'polygon', 'ellipse', 'sphere', 'tube', 'line'];
 
 export class LightRows {
   constructor() {
@@ -36,8 +36,8 @@ export class LightRows {
       this.ranges[shape].x = elements.length;
       for (const light of lights)
         if (light.shape === shape) {
-          const {color, luminance} = light, own = light.elements(light.frame(origin));
-          elements.push([color.r * luminance, color.g * luminance, color.b * luminance, own.length + 1], ...own);
+          const frame = light.frame(origin), own = light.elements(frame), radiance = light.radiance(frame);
+          elements.push([...light.color.toArray().map(c => c * radiance), own.length + 1], ...own);
         }
       this.ranges[shape].y = elements.length;
     }

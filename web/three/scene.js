@@ -6,7 +6,7 @@
 // shader for the shapes that are there.
 
 import {Vector3} from 'three';
-import {functionsFor, statements} from './glsl.js';
+import {formOf, functionsFor, statements} from './glsl.js';
 import {LightRows, shapes} from './rows.js';
 
 const pars = '#include <lights_physical_pars_fragment>', begin = '#include <lights_fragment_begin>';
@@ -15,13 +15,13 @@ const pars = '#include <lights_physical_pars_fragment>', begin = '#include <ligh
 const uniforms = {openltc_elements: {value: null}, openltc_origin: {value: null}};
 for (const shape of shapes) uniforms[`openltc_range_${shape}`] = {value: null};
 
-const shadersOf = new Map(); // by names of shapes, the text before main()
-const shapesOf = new WeakMap(); // by material, the names that it was last compiled for
+const shadersOf = new Map(); // by forms of shapes, as words, the text before main()
+const formsOf = new WeakMap(); // by material, the forms that it was last compiled for
 const scenes = new WeakMap();
 
-function functionsOf(names) {
-  if (!shadersOf.has(names)) shadersOf.set(names, functionsFor(names.split(' ')));
-  return shadersOf.get(names);
+function functionsOf(forms) {
+  if (!shadersOf.has(forms)) shadersOf.set(forms, functionsFor(forms.split(' ')));
+  return shadersOf.get(forms);
 }
 
 // Chains our change of the shader behind what the material has.
@@ -29,27 +29,27 @@ function take(material) {
   const {onBeforeCompile, customProgramCacheKey} = material;
   material.onBeforeCompile = function(shader, renderer) {
     onBeforeCompile.call(this, shader, renderer);
-    const names = shapesOf.get(material);
-    if (!names) return;
+    const forms = formsOf.get(material);
+    if (!forms) return;
     for (const text of [pars, begin])
       if (!shader.fragmentShader.includes(text))
         return console.warn(`openltc-three: the shader of material "${material.name}" has no ${text}: no area lights`);
     Object.assign(shader.uniforms, uniforms);
-    shader.fragmentShader = shader.fragmentShader.replace(pars, () => `${pars}\n${functionsOf(names)}`)
+    shader.fragmentShader = shader.fragmentShader.replace(pars, () => `${pars}\n${functionsOf(forms)}`)
         .replace(begin, () => begin + statements);
   };
   // The default one is the text of onBeforeCompile, which is ours now.
   const own = customProgramCacheKey === material.constructor.prototype.customProgramCacheKey
       ? () => onBeforeCompile.toString() : customProgramCacheKey;
-  material.customProgramCacheKey = function() { return `${own.call(this)} openltc ${shapesOf.get(material)}`; };
+  material.customProgramCacheKey = function() { return `${own.call(this)} openltc ${formsOf.get(material)}`; };
 }
 
-function prepare(material, names) {
+function prepare(material, forms) {
   if (!material?.isMeshStandardMaterial) return;
-  const before = shapesOf.get(material);
-  if (before === names || (before === undefined && !names)) return;
+  const before = formsOf.get(material);
+  if (before === forms || (before === undefined && !forms)) return;
   if (before === undefined) take(material);
-  shapesOf.set(material, names);
+  formsOf.set(material, forms);
   material.needsUpdate = true;
 }
 
@@ -84,8 +84,9 @@ class SceneLights {
     uniforms.openltc_elements.value = this.rows.texture;
     uniforms.openltc_origin.value = this.origin;
     for (const shape of shapes) uniforms[`openltc_range_${shape}`].value = this.rows.ranges[shape];
-    const names = shapes.filter(shape => lights.some(light => light.shape === shape)).join(' ');
-    for (const material of materials) prepare(material, names);
+    const forms = shapes.map(shape => formOf(shape, lights.filter(light => light.shape === shape).length))
+        .filter(Boolean).join(' ');
+    for (const material of materials) prepare(material, forms);
   }
 
   dispose() {

@@ -1,57 +1,14 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// The lights, as three.js has its own: objects of a scene, which shine along their -z.
+// Lights in a plane, which shine along -z.
 
-import {Light} from 'three';
+import {SurfaceLight} from './area_light.js';
+import {circle} from './circle.js';
 import {outlineOf} from './polygon.js';
 
-/// The place of an object: its middle, less `origin`, its axes as unit vectors, and by what its lengths are
-/// multiplied: the largest component of its world scale, as EXT_lights_area says.
-class Frame {
-  constructor(matrixWorld, origin) {
-    const e = matrixWorld.elements;
-    const columns = [0, 4, 8].map(k => [e[k], e[k + 1], e[k + 2]]);
-    const lengths = columns.map(c => Math.hypot(...c));
-    this.scale = Math.max(...lengths);
-    [this.x, this.y, this.z] = columns.map((c, k) => c.map(a => a / (lengths[k] || 1)));
-    this.position = [e[12] - origin.x, e[13] - origin.y, e[14] - origin.z];
-  }
-
-  /// A vector of the light, of the light's own lengths, in the world.
-  vector(x, y, z = 0) {
-    return [0, 1, 2].map(k => this.scale * (x * this.x[k] + y * this.y[k] + z * this.z[k]));
-  }
-
-  /// A point likewise.
-  point(x, y, z = 0) {
-    return this.vector(x, y, z).map((a, k) => a + this.position[k]);
-  }
-}
-
-/// What all have. `color` is linear, `luminance` in nits (candela per square metre) along the normal, the same in
-/// all directions; what a surface is given is their product.
-class AreaLight extends Light {
-  constructor(color, luminance) {
-    super(color, luminance);
-    this.isAreaLight = true;
-  }
-
-  /// three.js's `intensity` is nits for lights with an area.
-  get luminance() { return this.intensity; }
-  set luminance(nits) { this.intensity = nits; }
-
-  /// Lumens of the whole light, both sides, without its node's scale. Setting it sets the luminance; a size that
-  /// changes afterwards does not.
-  get power() { return this.luminance * Math.PI * this.emittingArea(); }
-  set power(lumens) { this.luminance = lumens / (Math.PI * this.emittingArea()); }
-
-  /// Its place in the world, less `origin`, a Vector3.
-  frame(origin = {x: 0, y: 0, z: 0}) { return new Frame(this.matrixWorld, origin); }
-}
-
 /// What lights in a plane have: `twoSided`.
-class PlanarLight extends AreaLight {
+class PlanarLight extends SurfaceLight {
   constructor(color, luminance, twoSided) {
     super(color, luminance);
     this.twoSided = twoSided;
@@ -59,10 +16,13 @@ class PlanarLight extends AreaLight {
 
   get sides() { return this.twoSided ? 2 : 1; }
 
+  // Middle and half axes; the light emits along half_u x half_v.
+  halves(frame, u, v) {
+    return [[...frame.position, this.sides - 1], [...frame.vector(u, 0), 0], [...frame.vector(0, -v), 0]];
+  }
+
   copy(source, recursive) {
-    super.copy(source, recursive);
-    this.twoSided = source.twoSided;
-    return this;
+    return super.copy(source, recursive).copyOwn(source, 'twoSided');
   }
 }
 
@@ -78,12 +38,7 @@ export class RectLight extends PlanarLight {
 
   emittingArea() { return this.width * this.height * this.sides; }
 
-  // It emits along half_u x half_v.
-  elements(frame) {
-    return [[...frame.position, this.sides - 1],
-            [...frame.vector(this.width / 2, 0), 0],
-            [...frame.vector(0, -this.height / 2), 0]];
-  }
+  elements(frame) { return this.halves(frame, this.width / 2, this.height / 2); }
 
   /// Closed polylines in its own space, for helpers.
   outlines() {
@@ -92,10 +47,7 @@ export class RectLight extends PlanarLight {
   }
 
   copy(source, recursive) {
-    super.copy(source, recursive);
-    this.width = source.width;
-    this.height = source.height;
-    return this;
+    return super.copy(source, recursive).copyOwn(source, 'width', 'height');
   }
 }
 
@@ -137,7 +89,47 @@ export class PolygonLight extends PlanarLight {
   outlines() { return this.outline.rings.map(ring => ring.map(([x, y]) => [x, -y, 0])); }
 
   copy(source, recursive) {
-    super.copy(source, recursive);
-    return this.setOutline(source.points, source.holes);
+    return super.copy(source, recursive).setOutline(source.points, source.holes);
+  }
+}
+
+/// An ellipse, exact.
+export class EllipseLight extends PlanarLight {
+  constructor(color, luminance, radiusX = 0.5, radiusY = 0.5, twoSided = false) {
+    super(color, luminance, twoSided);
+    this.type = 'EllipseLight';
+    this.shape = 'ellipse';
+    this.radiusX = radiusX;
+    this.radiusY = radiusY;
+  }
+
+  emittingArea() { return Math.PI * this.radiusX * this.radiusY * this.sides; }
+
+  elements(frame) { return this.halves(frame, this.radiusX, this.radiusY); }
+
+  outlines() { return [circle((c, s) => [this.radiusX * c, this.radiusY * s, 0])]; }
+
+  copy(source, recursive) {
+    return super.copy(source, recursive).copyOwn(source, 'radiusX', 'radiusY');
+  }
+}
+
+/// A disk: an ellipse of one radius.
+export class DiskLight extends PlanarLight {
+  constructor(color, luminance, radius = 0.5, twoSided = false) {
+    super(color, luminance, twoSided);
+    this.type = 'DiskLight';
+    this.shape = 'ellipse';
+    this.radius = radius;
+  }
+
+  emittingArea() { return Math.PI * this.radius ** 2 * this.sides; }
+
+  elements(frame) { return this.halves(frame, this.radius, this.radius); }
+
+  outlines() { return [circle((c, s) => [this.radius * c, this.radius * s, 0])]; }
+
+  copy(source, recursive) {
+    return super.copy(source, recursive).copyOwn(source, 'radius');
   }
 }
