@@ -124,3 +124,13 @@ export class AreaLightHelper extends LineSegments<BufferGeometry, LineBasicMater
   update(): void;
   dispose(): void;
 }
+
+/**
+ * A plugin of GLTFLoader, which reads EXT_lights_area and openltc_light of a node's extras as `openltc render` does:
+ * `loader.register(parser => new GLTFAreaLights(parser))`. What it cannot read is left out with a warning on the
+ * console.
+ */
+export class GLTFAreaLights {
+  constructor(parser: object);
+  readonly name: string;
+}
