@@ -179,6 +179,8 @@ def judge(name, own, rows, expected, facts):
     pixels = len(rows) * len(rows[0]) // 3
     print("%s: off by %.3f of 255 in the mean, by %.4f without %d pixels of %d; %d are lit; %.0f ms to compile and draw"
           % (name, whole, mean, edges, pixels, lit, facts["ms"]), flush=True)
+    if facts["elsewhere"] or facts["afterwards"]:
+        return ["%s: light of %g in a scene that has none, of %g after the end" % (name, facts["elsewhere"], facts["afterwards"])]
     if lit < 0.2 * pixels:
         return ["%s: the scene is too dark to tell" % name]
     if not own:

@@ -49,7 +49,7 @@ function sumOf(form) {
     sum = openltc_add_light(sum, ${calls[shape]}, head.rgb);
     i += int(head.w);
 `;
-  const lights = copies ? `  {\n${body}  }\n`.repeat(copies) : `  while (i < ${end}) {\n${body}  }\n`;
+  const lights = copies ? `  if (i < ${end}) {\n${body}  }\n`.repeat(copies) : `  while (i < ${end}) {\n${body}  }\n`;
   return `  i = openltc_range_${shape}.x;\n${lights}`;
 }
 

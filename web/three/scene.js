@@ -11,9 +11,10 @@ import {LightRows, shapes} from './rows.js';
 
 const pars = '#include <lights_physical_pars_fragment>', begin = '#include <lights_fragment_begin>';
 
-// Uniforms are the same objects for all materials; the scene that is rendered sets their values.
-const uniforms = {openltc_elements: {value: null}, openltc_origin: {value: null}};
-for (const shape of shapes) uniforms[`openltc_range_${shape}`] = {value: null};
+// Uniforms are the same objects for all materials; the scene that is rendered sets their values. Others, which share
+// its materials, find no lights.
+const none = new LightRows(), uniforms = {openltc_elements: {value: none.texture}, openltc_origin: {value: new Vector3()}};
+for (const shape of shapes) uniforms[`openltc_range_${shape}`] = {value: none.ranges[shape]};
 
 const shadersOf = new Map(); // by forms of shapes, as words, the text before main()
 const formsOf = new WeakMap(); // by material, the forms that it was last compiled for
@@ -74,10 +75,9 @@ class SceneLights {
 
   /// Looks at the scene as `camera` sees it. World matrices must be right.
   update(camera) {
-    const lights = [], materials = new Set([this.scene.overrideMaterial]);
+    const lights = [];
     this.scene.traverseVisible(object => {
       if (object.isAreaLight && object.layers.test(camera.layers)) lights.push(object);
-      for (const material of [object.material].flat()) materials.add(material);
     });
     this.origin.setFromMatrixPosition(camera.matrixWorld);
     this.rows.write(lights, this.origin);
@@ -86,11 +86,18 @@ class SceneLights {
     for (const shape of shapes) uniforms[`openltc_range_${shape}`].value = this.rows.ranges[shape];
     const forms = shapes.map(shape => formOf(shape, lights.filter(light => light.shape === shape).length))
         .filter(Boolean).join(' ');
+    this.prepareMaterials(forms);
+  }
+
+  prepareMaterials(forms) {
+    const materials = new Set([this.scene.overrideMaterial]);
+    this.scene.traverse(object => [object.material].flat().forEach(material => materials.add(material)));
     for (const material of materials) prepare(material, forms);
   }
 
   dispose() {
     Object.assign(this.scene, this.hooks);
+    this.prepareMaterials('');
     this.rows.dispose();
     scenes.delete(this.scene);
   }
