@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers parity cross clean
+.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers parity web cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -47,6 +47,11 @@ lights: build ## Render every shape of light by LTC and by reference, and compar
 package: build ## Make a .deb and a .tar.gz of the tool: out
 	@cpack --config build/release/CPackConfig.cmake -B out
 	@rm -r out/_CPack_Packages
+
+web: build ## Make the npm package for three.js, and fetch three.js for its example: out/web
+	@node web/three/build.mjs build/release/bin/openltc out/web/openltc-three
+	@cp tests/web/package.json tests/web/package-lock.json out/web
+	@npm ci --prefix out/web --ignore-scripts --no-audit --no-fund
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh

@@ -4,7 +4,7 @@
 """Shows scenes by three.js with the lights of web/three, in a browser without a window, and compares the pictures
 with those of `openltc render`, which reads the same files.
 
-    three.py --openltc PROGRAM --work DIR [--spoil]
+    three.py --openltc PROGRAM --work DIR [--spoil] [--picture PNG]
 
 A scene is the stage of tools/make_light_shapes.py under lights of openltc_light and EXT_lights_area. The page
 reads them by the package's plugin, or, for the figure beside ours, three's own RectAreaLight. Pictures are radiance as floats. They
@@ -29,8 +29,11 @@ sys.path[:0] = [os.path.join(k_root, "tests", "parity"), os.path.join(k_root, "t
 import browser
 import make_light_shapes
 import npm_packages
+from demo_scene import glb
 from demo_scene.parts import facing
 from engines import read_exr, read_rows, run, skip
+
+k_example = "docs/examples/web/three.html"
 
 # Steps of 255: in the mean, without the pixels in which the two draw another surface. Measured: 0.05 at most.
 k_mean = 0.1
@@ -136,8 +139,26 @@ def mirrored(lights):
 
 
 def make_package(openltc, work):
-    shutil.rmtree(work + "/package", ignore_errors=True)
-    run(shutil.which("node"), os.path.join(k_root, "web/three/build.mjs"), openltc, work + "/package")
+    """What `make web` makes, and the example, where the pages look for them."""
+    shutil.rmtree(work + "/out/web/openltc-three", ignore_errors=True)
+    run(shutil.which("node"), os.path.join(k_root, "web/three/build.mjs"), openltc, work + "/out/web/openltc-three")
+    shutil.copyfile(os.path.join(k_root, k_example), work + "/three.html")
+
+
+def judge_example(facts, pixels, picture):
+    """What is wrong with the example's page, in words. Writes it to `picture`, unless that is empty."""
+    if "failed" in facts:
+        return ["%s: %s" % (k_example, facts["failed"])]
+    print("%s: %.0f of 100 pixels are lit" % (k_example, 100 * facts["lit"]))
+    if picture:
+        with open(pixels, "rb") as stream:
+            data = stream.read()
+        row = 4 * facts["width"]
+        with open(picture, "wb") as out:
+            out.write(glb.png(facts["width"], facts["height"], 3, (
+                bytes(x for k in range(y, y + row, 4) for x in data[k:k + 3]) for y in range(0, len(data), row))))
+    # Without area lights only the lamps' meshes are seen, a thirtieth of it.
+    return [] if facts["lit"] > 0.3 else ["%s: its picture is dark" % k_example]
 
 
 def rendered(openltc, scene, picture, size):
@@ -194,13 +215,14 @@ def main():
     parser.add_argument("--openltc", required=True)
     parser.add_argument("--work", required=True, help="folder for what is made on the way")
     parser.add_argument("--spoil", action="store_true", help="mirror a light, to see the check fail")
+    parser.add_argument("--picture", default="", help="docs/images/web.png: the example's page")
     arguments = parser.parse_args()
     work = os.path.abspath(arguments.work)
     program = browser.find()
     if not program:
         skip("no chromium (package chromium)")
     os.makedirs(work, exist_ok=True)
-    why = npm_packages.install(k_here, work + "/npm")
+    why = npm_packages.install(k_here, work + "/out/web")
     if why:
         skip(why)
     make_package(arguments.openltc, work)
@@ -210,11 +232,12 @@ def main():
         expected[name] = rendered(arguments.openltc, work + "/scene.glb", work + "/%s.exr" % name, size_of(name))
         write_scene(name, lights, work + "/%s.glb" % name, True)
     jobs = [{"name": name, "scene": scene + ".glb", "own": own, "size": size_of(scene)}
-            for name, scene, own in k_jobs]
+            for name, scene, own in k_jobs] + [{"name": "example", "page": "/three.html"}]
     answers = browser.run(program, os.path.join(k_here, "three.html"), work, jobs, root=work)
     if "start" in answers:
         (skip if answers["start"]["failed"].startswith("no WebGL2") else sys.exit)(answers["start"]["failed"])
-    failures = []
+    failures = judge_example(answers.get("example", {"failed": "no answer in time"}), work + "/example.bin",
+                             arguments.picture)
     for name, scene, own in k_jobs:
         answer = answers.get(name, {"failed": "no answer in time"})
         if "failed" in answer:
