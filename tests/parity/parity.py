@@ -160,16 +160,19 @@ def browser_forms(target, shape):
     return 2 if (target, shape) == ("webgl2", "tube") else kernels.k_forms
 
 
+def time_job(folder, target, shape, *options):
+    """To compile one call of a shape, or of "all", in the file that `options` make."""
+    (language, suffix), = [(language, suffix) for name, _, language, suffix in k_browser_targets if name == target]
+    shapes = ",".join(kernels.k_shapes) if shape == "all" else shape
+    text = kernels.call_kernel(language, folder.source(language, shapes, *options), shape)
+    name = "_".join(("time", target, shape) + options)
+    return {"name": name, "target": target, "shader": folder.write(name + suffix, text)}
+
+
 def time_jobs(folder):
     """To compile one call of each shape, and of all of them."""
-    jobs = []
-    for target, _, language, suffix in k_browser_targets:
-        for shape in kernels.k_shapes + ("all",):
-            shapes = ",".join(kernels.k_shapes) if shape == "all" else shape
-            text = kernels.call_kernel(language, folder.source(language, shapes), shape)
-            jobs.append({"name": "time_%s_%s" % (target, shape), "target": target,
-                         "shader": folder.write("call_" + shape + suffix, text)})
-    return jobs
+    return [time_job(folder, target, shape) for target, _, _, _ in k_browser_targets
+            for shape in kernels.k_shapes + ("all",)]
 
 
 def browser_jobs(runner):
