@@ -180,6 +180,9 @@ def main():
     parser.add_argument("--bin", required=True, help="folder of openltc, shader_statistics and vkrun")
     parser.add_argument("--work", required=True, help="folder for what is made on the way")
     arguments = parser.parse_args()
+    for part in arguments.parts:
+        if part not in k_parts:
+            parser.error("no part %s: there are %s" % (part, ", ".join(k_parts)))
     folder = parity.Folder(arguments.bin, arguments.work)
     for part in arguments.parts or k_parts:
         try:
