@@ -98,6 +98,7 @@ constexpr const char* k_shaders_footer =
     "\n"
     "Examples:\n"
     "  openltc shaders --language wgsl -o .                        ltc_quad.wgsl\n"
+    "  openltc shaders --language wgsl --lean -o .                 ltc_quad_lean.wgsl\n"
     "  openltc shaders --language hlsl --shapes quad,sphere,tube -o Shaders\n"
     "  openltc shaders --language metal --shapes all --lobe two-lobe --prefix Area_ -o .";
 
@@ -128,6 +129,9 @@ void add_shaders(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->type_name("SHAPE,...")
       ->capture_default_str();
+  command->add_flag("--lean", arguments->request.lean,
+                    "Without set_geometric_normal (for normal maps) and correct_at_mean (for small "
+                    "lights): less to compile");
   command
       ->add_option("--prefix", arguments->request.prefix, "What every name of the file begins with")
       ->capture_default_str();

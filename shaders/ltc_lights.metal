@@ -1224,9 +1224,9 @@ static inline ltc_Cone ltc_make_cone(float3 center, float3 a, float3 b) {
   j.s12 = pj.x * pj.y + qj.x * qj.y - cj.x * cj.y;
   j.s13 = pj.x * pj.z + qj.x * qj.z - cj.x * cj.z;
   j.s23 = pj.y * pj.z + qj.y * qj.z - cj.y * cj.z;
-  j = ltc_jacobi_sweep(j);
-  j = ltc_jacobi_sweep(j);
-  j = ltc_jacobi_sweep(j);
+  for (int i = 0; i < 3; ++i) {
+    j = ltc_jacobi_sweep(j);
+  }
 
   // The negative eigenvalue may have come out elsewhere: bring it to the third place.
   bool first = j.s11 < j.s33 && j.s11 <= j.s22;
@@ -1766,12 +1766,13 @@ static inline ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, float3 a
   ltc_OutlineSums next = outline;
   float3 from = a;
   float3 to = b;
-  bool a_seen = true;
+  float3 next_from = a;
+  float3 next_to = a;
   int parts = 1;
   if (cut) {
     float a_height = dot(front, a);
     float b_height = dot(front, b);
-    a_seen = a_height >= 0.0;
+    bool a_seen = a_height >= 0.0;
     bool b_seen = b_height >= 0.0;
     parts = a_seen || b_seen ? 1 : 0;
     if (a_seen != b_seen) {
@@ -1780,8 +1781,12 @@ static inline ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, float3 a
       crossing = crossing - front * dot(front, crossing);
       if (a_seen) {
         to = crossing;
+        next_from = crossing;
+        next_to = outline.front;
       } else {
         from = crossing;
+        next_from = outline.front;
+        next_to = crossing;
       }
       if (outline.has_front) {
         parts = 2;
@@ -1793,13 +1798,9 @@ static inline ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, float3 a
   }
   for (int i = 0; i < parts; ++i) {
     next = ltc_add_to_outline(next, from, to, lobe);
-    if (a_seen) {
-      from = to;
-      to = outline.front;
-    } else {
-      to = from;
-      from = outline.front;
-    }
+    // What joins the crossing to the first.
+    from = next_from;
+    to = next_to;
   }
   return next;
 }
@@ -2561,8 +2562,7 @@ static inline ltc_SegmentRatio ltc_segment_ratio(ltc_Surface s, ltc_Lobe lobe, f
 
 // Specular light of a line from a to b, shading space, of which the lobes have these shares. Each lobe is
 // divided by itself, against the density of both: the balance heuristic of importance sampling.
-static inline float3 ltc_segment_reflectance(ltc_Surface s, float3 a, float3 b, float first,
-                                             float second) {
+static inline float3 ltc_segment_reflectance(ltc_Surface s, float3 a, float3 b, float first) {
   ltc_SegmentRatio ratio = ltc_segment_ratio(s, s.fitted.lobe, a, b, 1.0);
   float scale = ratio.scale * first;
   float bias = ratio.bias * first;
@@ -2578,8 +2578,7 @@ static inline ltc_ShadedLight ltc_shade_line_integral(ltc_Surface s, ltc_Line li
   shaded.diffuse = s.diffuse * integral.diffuse;
   if (s.corrected) {
     shaded.specular = ltc_segment_reflectance(s, ltc_to_shading(s.frame, line.from - s.position),
-                                              ltc_to_shading(s.frame, line.to - s.position), first,
-                                              second);
+                                              ltc_to_shading(s.frame, line.to - s.position), first);
   } else {
     float3 fresnel = s.f0 + (s.f90 - s.f0) * ltc_fresnel_weight(s.wo, integral.specular_direction);
     shaded.specular = fresnel * (s.fitted.n1 * (first + second));

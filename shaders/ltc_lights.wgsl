@@ -1221,9 +1221,9 @@ fn ltc_make_cone(center: vec3f, a: vec3f, b: vec3f) -> ltc_Cone {
   j.s12 = pj.x * pj.y + qj.x * qj.y - cj.x * cj.y;
   j.s13 = pj.x * pj.z + qj.x * qj.z - cj.x * cj.z;
   j.s23 = pj.y * pj.z + qj.y * qj.z - cj.y * cj.z;
-  j = ltc_jacobi_sweep(j);
-  j = ltc_jacobi_sweep(j);
-  j = ltc_jacobi_sweep(j);
+  for (var i = 0; i < 3; i++) {
+    j = ltc_jacobi_sweep(j);
+  }
 
   // The negative eigenvalue may have come out elsewhere: bring it to the third place.
   let first = j.s11 < j.s33 && j.s11 <= j.s22;
@@ -1763,12 +1763,13 @@ fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe
   var next = outline;
   var from_ = a;
   var to = b;
-  var a_seen = true;
+  var next_from = a;
+  var next_to = a;
   var parts = 1;
   if (cut) {
     let a_height = dot(front, a);
     let b_height = dot(front, b);
-    a_seen = a_height >= 0.0;
+    let a_seen = a_height >= 0.0;
     let b_seen = b_height >= 0.0;
     parts = select(0, 1, a_seen || b_seen);
     if (a_seen != b_seen) {
@@ -1777,8 +1778,12 @@ fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe
       crossing = crossing - front * dot(front, crossing);
       if (a_seen) {
         to = crossing;
+        next_from = crossing;
+        next_to = outline.front;
       } else {
         from_ = crossing;
+        next_from = outline.front;
+        next_to = crossing;
       }
       if (outline.has_front) {
         parts = 2;
@@ -1790,13 +1795,9 @@ fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe
   }
   for (var i = 0; i < parts; i++) {
     next = ltc_add_to_outline(next, from_, to, lobe);
-    if (a_seen) {
-      from_ = to;
-      to = outline.front;
-    } else {
-      to = from_;
-      from_ = outline.front;
-    }
+    // What joins the crossing to the first.
+    from_ = next_from;
+    to = next_to;
   }
   return next;
 }
@@ -2548,7 +2549,7 @@ fn ltc_segment_ratio(s: ltc_Surface, lobe: ltc_Lobe, a: vec3f, b: vec3f,
 
 // Specular light of a line from a to b, shading space, of which the lobes have these shares. Each lobe is
 // divided by itself, against the density of both: the balance heuristic of importance sampling.
-fn ltc_segment_reflectance(s: ltc_Surface, a: vec3f, b: vec3f, first: f32, second: f32) -> vec3f {
+fn ltc_segment_reflectance(s: ltc_Surface, a: vec3f, b: vec3f, first: f32) -> vec3f {
   let ratio = ltc_segment_ratio(s, s.fitted.lobe, a, b, 1.0);
   let scale = ratio.scale * first;
   let bias = ratio.bias * first;
@@ -2564,8 +2565,7 @@ fn ltc_shade_line_integral(s: ltc_Surface, line: ltc_Line,
   shaded.diffuse = s.diffuse * integral.diffuse;
   if (s.corrected) {
     shaded.specular = ltc_segment_reflectance(s, ltc_to_shading(s.frame, line.from_ - s.position),
-                                              ltc_to_shading(s.frame, line.to - s.position), first,
-                                              second);
+                                              ltc_to_shading(s.frame, line.to - s.position), first);
   } else {
     let fresnel = s.f0 + (s.f90 - s.f0) * ltc_fresnel_weight(s.wo, integral.specular_direction);
     shaded.specular = fresnel * (s.fitted.n1 * (first + second));

@@ -1210,9 +1210,9 @@ ltc_Cone ltc_make_cone(vec3 center, vec3 a, vec3 b) {
   j.s12 = pj.x * pj.y + qj.x * qj.y - cj.x * cj.y;
   j.s13 = pj.x * pj.z + qj.x * qj.z - cj.x * cj.z;
   j.s23 = pj.y * pj.z + qj.y * qj.z - cj.y * cj.z;
-  j = ltc_jacobi_sweep(j);
-  j = ltc_jacobi_sweep(j);
-  j = ltc_jacobi_sweep(j);
+  for (int i = 0; i < 3; ++i) {
+    j = ltc_jacobi_sweep(j);
+  }
 
   // The negative eigenvalue may have come out elsewhere: bring it to the third place.
   bool first = j.s11 < j.s33 && j.s11 <= j.s22;
@@ -1746,12 +1746,13 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
   ltc_OutlineSums next = outline;
   vec3 from = a;
   vec3 to = b;
-  bool a_seen = true;
+  vec3 next_from = a;
+  vec3 next_to = a;
   int parts = 1;
   if (cut) {
     float a_height = dot(front, a);
     float b_height = dot(front, b);
-    a_seen = a_height >= 0.0;
+    bool a_seen = a_height >= 0.0;
     bool b_seen = b_height >= 0.0;
     parts = a_seen || b_seen ? 1 : 0;
     if (a_seen != b_seen) {
@@ -1760,8 +1761,12 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
       crossing = crossing - front * dot(front, crossing);
       if (a_seen) {
         to = crossing;
+        next_from = crossing;
+        next_to = outline.front;
       } else {
         from = crossing;
+        next_from = outline.front;
+        next_to = crossing;
       }
       if (outline.has_front) {
         parts = 2;
@@ -1773,13 +1778,9 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
   }
   for (int i = 0; i < parts; ++i) {
     next = ltc_add_to_outline(next, from, to, lobe);
-    if (a_seen) {
-      from = to;
-      to = outline.front;
-    } else {
-      to = from;
-      from = outline.front;
-    }
+    // What joins the crossing to the first.
+    from = next_from;
+    to = next_to;
   }
   return next;
 }
@@ -2526,7 +2527,7 @@ ltc_SegmentRatio ltc_segment_ratio(ltc_Surface s, ltc_Lobe lobe, vec3 a, vec3 b,
 
 // Specular light of a line from a to b, shading space, of which the lobes have these shares. Each lobe is
 // divided by itself, against the density of both: the balance heuristic of importance sampling.
-vec3 ltc_segment_reflectance(ltc_Surface s, vec3 a, vec3 b, float first, float second) {
+vec3 ltc_segment_reflectance(ltc_Surface s, vec3 a, vec3 b, float first) {
   ltc_SegmentRatio ratio = ltc_segment_ratio(s, s.fitted.lobe, a, b, 1.0);
   float scale = ratio.scale * first;
   float bias = ratio.bias * first;
@@ -2541,8 +2542,7 @@ ltc_ShadedLight ltc_shade_line_integral(ltc_Surface s, ltc_Line line, ltc_LightI
   shaded.diffuse = s.diffuse * integral.diffuse;
   if (s.corrected) {
     shaded.specular = ltc_segment_reflectance(s, ltc_to_shading(s.frame, line.from - s.position),
-                                              ltc_to_shading(s.frame, line.to - s.position), first,
-                                              second);
+                                              ltc_to_shading(s.frame, line.to - s.position), first);
   } else {
     vec3 fresnel = s.f0 + (s.f90 - s.f0) * ltc_fresnel_weight(s.wo, integral.specular_direction);
     shaded.specular = fresnel * (s.fitted.n1 * (first + second));

@@ -1023,12 +1023,13 @@ fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe
   var next = outline;
   var from_ = a;
   var to = b;
-  var a_seen = true;
+  var next_from = a;
+  var next_to = a;
   var parts = 1;
   if (cut) {
     let a_height = dot(front, a);
     let b_height = dot(front, b);
-    a_seen = a_height >= 0.0;
+    let a_seen = a_height >= 0.0;
     let b_seen = b_height >= 0.0;
     parts = select(0, 1, a_seen || b_seen);
     if (a_seen != b_seen) {
@@ -1037,8 +1038,12 @@ fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe
       crossing = crossing - front * dot(front, crossing);
       if (a_seen) {
         to = crossing;
+        next_from = crossing;
+        next_to = outline.front;
       } else {
         from_ = crossing;
+        next_from = outline.front;
+        next_to = crossing;
       }
       if (outline.has_front) {
         parts = 2;
@@ -1050,13 +1055,9 @@ fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe
   }
   for (var i = 0; i < parts; i++) {
     next = ltc_add_to_outline(next, from_, to, lobe);
-    if (a_seen) {
-      from_ = to;
-      to = outline.front;
-    } else {
-      to = from_;
-      from_ = outline.front;
-    }
+    // What joins the crossing to the first.
+    from_ = next_from;
+    to = next_to;
   }
   return next;
 }

@@ -977,12 +977,13 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
   ltc_OutlineSums next = outline;
   vec3 from = a;
   vec3 to = b;
-  bool a_seen = true;
+  vec3 next_from = a;
+  vec3 next_to = a;
   int parts = 1;
   if (cut) {
     float a_height = dot(front, a);
     float b_height = dot(front, b);
-    a_seen = a_height >= 0.0;
+    bool a_seen = a_height >= 0.0;
     bool b_seen = b_height >= 0.0;
     parts = a_seen || b_seen ? 1 : 0;
     if (a_seen != b_seen) {
@@ -991,8 +992,12 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
       crossing = crossing - front * dot(front, crossing);
       if (a_seen) {
         to = crossing;
+        next_from = crossing;
+        next_to = outline.front;
       } else {
         from = crossing;
+        next_from = outline.front;
+        next_to = crossing;
       }
       if (outline.has_front) {
         parts = 2;
@@ -1004,13 +1009,9 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
   }
   for (int i = 0; i < parts; ++i) {
     next = ltc_add_to_outline(next, from, to, lobe);
-    if (a_seen) {
-      from = to;
-      to = outline.front;
-    } else {
-      to = from;
-      from = outline.front;
-    }
+    // What joins the crossing to the first.
+    from = next_from;
+    to = next_to;
   }
   return next;
 }

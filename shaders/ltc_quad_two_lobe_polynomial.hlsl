@@ -1134,12 +1134,13 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, float3 a, float3 b, lt
   ltc_OutlineSums next = outline;
   float3 from = a;
   float3 to = b;
-  bool a_seen = true;
+  float3 next_from = a;
+  float3 next_to = a;
   int parts = 1;
   if (cut) {
     float a_height = dot(front, a);
     float b_height = dot(front, b);
-    a_seen = a_height >= 0.0;
+    bool a_seen = a_height >= 0.0;
     bool b_seen = b_height >= 0.0;
     parts = a_seen || b_seen ? 1 : 0;
     if (a_seen != b_seen) {
@@ -1148,8 +1149,12 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, float3 a, float3 b, lt
       crossing = crossing - front * dot(front, crossing);
       if (a_seen) {
         to = crossing;
+        next_from = crossing;
+        next_to = outline.front;
       } else {
         from = crossing;
+        next_from = outline.front;
+        next_to = crossing;
       }
       if (outline.has_front) {
         parts = 2;
@@ -1161,13 +1166,9 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, float3 a, float3 b, lt
   }
   for (int i = 0; i < parts; ++i) {
     next = ltc_add_to_outline(next, from, to, lobe);
-    if (a_seen) {
-      from = to;
-      to = outline.front;
-    } else {
-      to = from;
-      from = outline.front;
-    }
+    // What joins the crossing to the first.
+    from = next_from;
+    to = next_to;
   }
   return next;
 }

@@ -12,6 +12,8 @@ k_usual_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "usual.g
 k_usual = {"usual, sphere": "", "usual, clipped": "#define USUAL_CLIPPED\n"}
 k_quads_per_case = 32  # of a shader that is timed: reading a case is a small part of it
 
+k_lean = "--lean"  # option of the tool: a file without the functions that the rows before it call
+
 k_textures = "".join("layout(binding = %d) uniform sampler2D %s;\n" % (3 + i, name)
                      for i, name in enumerate(check_files.k_textures))
 k_table_arguments = {"table": "coefficients, amplitudes, ", "two-lobe": "coefficients, amplitudes, second, "}
@@ -78,7 +80,7 @@ k_variants = {
 
 
 class Row:
-    """A shader beside others: what light, where its lobes come from, what it calls besides."""
+    """A shader beside others: what light, where its lobes come from, what it calls besides, or its file's option."""
 
     def __init__(self, light, lobe, more=""):
         self.light, self.lobe, self.more = light, lobe, more
@@ -99,7 +101,7 @@ class Row:
 def all_rows():
     found = [Row("quad", "polynomial"), Row("quad", "table"), Row("quad", "two-lobe-polynomial"),
              Row("quad", "polynomial", "ltc_correct_at_mean"),
-             Row("quad", "polynomial", "ltc_set_geometric_normal")]
+             Row("quad", "polynomial", "ltc_set_geometric_normal"), Row("quad", "polynomial", k_lean)]
     found += [Row(name, "table") for name in k_usual]
     return found + [Row(shape, lobe) for shape in check_files.k_shapes[1:] for lobe in ("polynomial", "table")]
 
@@ -115,7 +117,7 @@ def usual_source(light):
 
 
 def our_source(folder, row):
-    return folder.source("glsl", row.light, "--lobe", row.lobe)
+    return folder.source("glsl", row.light, "--lobe", row.lobe, *([k_lean] if row.more == k_lean else []))
 
 
 def compute_shader(body, run, declared=k_textures):
@@ -126,7 +128,7 @@ def our_call(row):
     """As tests/parity calls it, with textures and with what the row calls besides."""
     call = kernels.fill(kernels.k_glsl_call, row.light)
     call = call.replace("ltc_surface_at(", "ltc_surface_at(" + k_table_arguments.get(row.lobe, ""))
-    more = {"": "", "ltc_correct_at_mean": "  surface = ltc_correct_at_mean(surface);\n",
+    more = {"": "", k_lean: "", "ltc_correct_at_mean": "  surface = ltc_correct_at_mean(surface);\n",
             "ltc_set_geometric_normal": "  surface = ltc_set_geometric_normal(surface, triangle.xyz);\n"}[row.more]
     call = call.replace("  return", more + "  return")
     return call.replace("(surface, light)", "(surface, light, picture)") if row.light == "textured" else call

@@ -142,9 +142,9 @@ FN_CALL Cone make_cone(Vec3 center, Vec3 a, Vec3 b) {
   j.s12 = pj.x * pj.y + qj.x * qj.y - cj.x * cj.y;
   j.s13 = pj.x * pj.z + qj.x * qj.z - cj.x * cj.z;
   j.s23 = pj.y * pj.z + qj.y * qj.z - cj.y * cj.z;
-  j = jacobi_sweep(j);
-  j = jacobi_sweep(j);
-  j = jacobi_sweep(j);
+  for (int i = 0; i < 3; ++i) {
+    j = jacobi_sweep(j);
+  }
 
   // The negative eigenvalue may have come out elsewhere: bring it to the third place.
   Mask first = j.s11 < j.s33 && j.s11 <= j.s22;

@@ -46,13 +46,51 @@ void take_out(std::vector<SourceFile>& files, Item& function, std::size_t place,
   });
 }
 
+bool reads(const Item& function, const std::string& name) {
+  bool found = false;
+  walk(function.body, [&](const Node& node) { found = found || is_name(node, name.c_str()); });
+  return found;
+}
+
+// Whether all calls of that name are of this function.
+bool is_alone(const std::vector<SourceFile>& files, const Item& function) {
+  bool alone = true;
+  for (const SourceFile& file : files)
+    for (const Item& item : file.items) {
+      alone = alone && (&item == &function || item.name != function.name);
+      walk(item.body, [&](const Node& node) {
+        alone = alone && (!is_call(node, function.name.c_str()) || is_call_of(node, function));
+      });
+    }
+  return alone;
+}
+
+// Not a handle, of which what stands for it is read.
+bool is_value(const std::string& type) {
+  return type == "bool" || type == "int" || type == "Real" || type.rfind("Vec", 0) == 0;
+}
+
+// Takes out values that the function does not read. Returns whether there was any.
+bool take_out_unread(std::vector<SourceFile>& files, Item& function) {
+  bool any = false;
+  for (std::size_t place = function.variables.size(); place-- > 0;)
+    if (is_value(function.variables[place].type) &&
+        !reads(function, function.variables[place].name) && is_alone(files, function)) {
+      take_out(files, function, place, "");
+      any = true;
+    }
+  return any;
+}
+
 } // namespace
 
-bool settle_arguments(std::vector<SourceFile>& files, const Facts& facts) {
+bool settle_arguments(std::vector<SourceFile>& files, const Facts& facts,
+                      const std::set<std::string>& kept) {
   bool any = false;
   for (SourceFile& file : files)
     for (Item& item : file.items) {
       if (item.kind != ItemKind::function) continue;
+      if (kept.count(item.name) == 0) any = take_out_unread(files, item) || any;
       for (std::size_t place = 0; place < item.variables.size(); ++place) {
         if (item.variables[place].type != "bool") continue;
         const std::string value = value_in_all_calls(files, item, place);

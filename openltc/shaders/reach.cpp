@@ -134,7 +134,9 @@ bool remove_unread_fields(std::vector<SourceFile>& files, const Roots& roots) {
 } // namespace
 
 void keep_reached(std::vector<SourceFile>& files, const Roots& roots) {
-  do {
+  bool again = true;
+  while (again) {
+    again = false;
     const std::set<std::string> reached = reached_keys(files, roots);
     for (SourceFile& file : files) {
       const auto end = std::remove_if(file.items.begin(), file.items.end(), [&](const Item& item) {
@@ -142,9 +144,10 @@ void keep_reached(std::vector<SourceFile>& files, const Roots& roots) {
       });
       file.items.erase(end, file.items.end());
       for (Item& item : file.items)
-        if (item.kind == ItemKind::function) remove_unread_variables(item);
+        if (item.kind == ItemKind::function) again = remove_unread_variables(item) || again;
     }
-  } while (remove_unread_fields(files, roots));
+    again = remove_unread_fields(files, roots) || again;
+  }
 }
 
 } // namespace openltc::shaders

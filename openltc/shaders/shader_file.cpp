@@ -77,11 +77,11 @@ std::vector<std::string> entry_files(const ShaderRequest& request) {
 }
 
 Roots roots_of(const ShaderRequest& request) {
-  Roots roots = {{"surface_at", "gltf_surface", "set_geometric_normal", "correct_at_mean"},
-                 {"Quad", "Ellipse", "Sphere", "Tube", "Line"}};
+  Roots roots = {{"surface_at", "gltf_surface"}, {"Quad", "Ellipse", "Sphere", "Tube", "Line"}};
   const auto add = [&](std::initializer_list<const char*> names) {
     roots.functions.insert(names.begin(), names.end());
   };
+  if (!request.lean) add({"set_geometric_normal", "correct_at_mean"});
   bool parts = false;
   for (const Shape shape : request.shapes) {
     if (shape != Shape::textured) parts = true;
@@ -229,6 +229,7 @@ std::string file_name(const ShaderRequest& request) {
   }
   constexpr const char* k_lobes[] = {"", "_two_lobe_polynomial", "_table", "_two_lobe"};
   name += k_lobes[int(request.lobe)];
+  if (request.lean) name += "_lean";
   if (request.language == Language::glsl_es) name += "_es";
   return name + words_of(request.language).extension;
 }
@@ -239,7 +240,8 @@ Result<std::string> make_shader(const ShaderRequest& request) {
   std::vector<SourceFile>& files = *read;
 
   Facts facts;
-  facts.second_lobe = has_two(request.lobe);
+  facts.fields = {{"exact", false}, {"two", has_two(request.lobe)}};
+  if (request.lean) facts.fields.insert({{"tilted", false}, {"corrected", false}});
   for (const SourceFile& file : files)
     note_integers(file, facts);
   for (SourceFile& file : files)
@@ -247,7 +249,7 @@ Result<std::string> make_shader(const ShaderRequest& request) {
       simplify(item, facts);
   do {
     keep_reached(files, roots_of(request));
-  } while (settle_arguments(files, facts));
+  } while (settle_arguments(files, facts, roots_of(request).functions));
 
   std::set<std::string> globals = {"polygon_data", "texture_size"};
   bool sizes = false;

@@ -44,6 +44,7 @@ struct ShaderRequest {
   Language language = Language::glsl;
   Lobe lobe = Lobe::polynomial;
   std::vector<Shape> shapes = {Shape::quad};
+  bool lean = false;           ///< without set_geometric_normal and correct_at_mean
   std::string prefix = "ltc_"; ///< of all names that the file gives to others
   std::string version;         ///< of the program
 };
@@ -52,7 +53,7 @@ struct ShaderRequest {
 /// single underscores. The error says what is wrong.
 Status check_prefix(const std::string& prefix);
 
-/// The name of the file, by prefix, shapes, lobe and language: "ltc_quad.glsl".
+/// The name of the file, by prefix, shapes, lobe, language and whether it is lean: "ltc_quad.glsl".
 std::string file_name(const ShaderRequest& request);
 
 /// Its text: the same for the same request, on every machine. The error names the file of the

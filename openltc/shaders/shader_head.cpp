@@ -131,6 +131,7 @@ std::string command_of(const ShaderRequest& request) {
   command += " --shapes " + (request.shapes.size() == all_shapes().size()
                                  ? std::string("all")
                                  : joined_names(request.shapes, ","));
+  if (request.lean) command += " --lean";
   if (request.prefix != "ltc_") command += " --prefix " + request.prefix;
   return command;
 }
@@ -163,12 +164,16 @@ std::string head_of(const ShaderRequest& request) {
     if (shape == Shape::polygon) out += polygon_lines(request);
   out += fmt::format(
       "//\n// More:\n"
-      "//   {0}surface_at              a surface of any reflectance, instead of glTF's\n"
-      "//   {0}set_geometric_normal    where a normal map turns the normal: hides what the "
-      "triangle does\n"
-      "//   {0}correct_at_mean         small lights become exact, for a few instructions more\n"
-      "{1}",
+      "//   {0}surface_at              a surface of any reflectance, instead of glTF's\n{1}{2}",
       prefix,
+      request.lean
+          ? ""
+          : fmt::format(
+                "//   {0}set_geometric_normal    where a normal map turns the normal: hides "
+                "what the triangle does\n"
+                "//   {0}correct_at_mean         small lights become exact, for a few "
+                "instructions more\n",
+                prefix),
       request.shapes == std::vector<Shape>{Shape::textured}
           ? ""
           : fmt::format("//   {}shade_..._parts         diffuse and specular light apart\n",

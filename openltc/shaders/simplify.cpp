@@ -86,10 +86,10 @@ private:
   }
 
   // An assertion, or the setting of a field that is known.
-  static bool is_idle(const Node& statement) {
+  bool is_idle(const Node& statement) const {
     if (statement.kind == Kind::evaluate) return is_call(statement.parts[0], "ASSERT_THAT");
     return statement.kind == Kind::assign && statement.parts[0].kind == Kind::member &&
-           (statement.parts[0].text == "exact" || statement.parts[0].text == "two");
+           facts_.fields.count(statement.parts[0].text) > 0;
   }
 
   // Behind a condition that is a name, that is true.
@@ -159,8 +159,10 @@ private:
   }
 
   void expression(Node& node) const {
-    if (node.kind == Kind::member && node.text == "exact") replace(node, truth(false));
-    if (node.kind == Kind::member && node.text == "two") replace(node, truth(facts_.second_lobe));
+    if (node.kind == Kind::member) {
+      const auto field = facts_.fields.find(node.text);
+      if (field != facts_.fields.end()) replace(node, truth(field->second));
+    }
     if (node.kind == Kind::call) call(node);
     if (node.kind == Kind::unary && node.text == "!") {
       if (const auto value = known(node.parts[0])) replace(node, truth(!*value));
@@ -210,17 +212,17 @@ private:
   std::map<std::string, int> declared_;
 };
 
-// How often each variable is read; a place that is set is not.
-void count_reads(const Node& node, std::map<std::string, int>& reads) {
-  if (node.kind == Kind::name) ++reads[node.text];
+// How often each variable is read; a place that is set is not, nor is what only itself is made of.
+void count_reads(const Node& node, const std::string& set, std::map<std::string, int>& reads) {
+  if (node.kind == Kind::name && node.text != set) ++reads[node.text];
   if (node.kind != Kind::assign) {
     for (const Node& part : node.parts)
-      count_reads(part, reads);
+      count_reads(part, set, reads);
     return;
   }
-  count_reads(node.parts[1], reads);
+  count_reads(node.parts[1], base_of(node.parts[0]), reads);
   for (const Node* at = &node.parts[0]; at->kind != Kind::name; at = &at->parts[0])
-    if (at->kind == Kind::index) count_reads(at->parts[1], reads);
+    if (at->kind == Kind::index) count_reads(at->parts[1], set, reads);
 }
 
 bool remove_statements(Node& node, const std::set<std::string>& unread) {
@@ -252,16 +254,18 @@ void simplify(Item& item, const Facts& facts) {
   if (item.kind == ItemKind::function) simplifier.statements(item.body);
 }
 
-void remove_unread_variables(Item& function) {
-  for (bool again = true; again;) {
+bool remove_unread_variables(Item& function) {
+  bool any = false;
+  for (bool again = true; again; any = any || again) {
     std::map<std::string, int> reads;
-    count_reads(function.body, reads);
+    count_reads(function.body, "", reads);
     std::set<std::string> unread;
     walk(function.body, [&](const Node& node) {
       if (node.kind == Kind::declare && reads[node.name] == 0) unread.insert(node.name);
     });
     again = remove_statements(function.body, unread);
   }
+  return any;
 }
 
 } // namespace openltc::shaders

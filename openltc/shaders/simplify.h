@@ -8,6 +8,7 @@
 
 #include "openltc/shaders/syntax.h"
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,8 +17,8 @@ namespace openltc::shaders {
 
 /// What is known of the shader.
 struct Facts {
-  bool second_lobe = false;       ///< the value of Surface.two
-  std::set<std::string> integers; ///< constants, and functions that return one
+  std::map<std::string, bool> fields; ///< those of Surface that always have the same value
+  std::set<std::string> integers;     ///< constants, and functions that return one
 };
 
 /// Names of integers among the constants and functions of a file, for Facts.
@@ -25,11 +26,10 @@ void note_integers(const SourceFile& file, Facts& facts);
 
 /// In a function or constant: words of the dialect become plain expressions (select a conditional,
 /// Real a conversion or nothing, all_lanes and any_lane their argument), assertions go, and what
-/// facts decide is decided: no lane agrees with another, Surface.exact is false, Surface.two is
-/// `second_lobe`.
+/// facts decide is decided: no lane agrees with another, and fields have their values.
 void simplify(Item& item, const Facts& facts);
 
-/// Takes out of a function variables that are set and never read.
-void remove_unread_variables(Item& function);
+/// Takes out of a function variables that are set and never read. Returns whether there were any.
+bool remove_unread_variables(Item& function);
 
 } // namespace openltc::shaders

@@ -23,6 +23,7 @@ std::string written(Language language, const std::string& source) {
   Result<SourceFile> file = parse_file("// Test.\n\n" + source, "test.glsl");
   REQUIRE_MESSAGE(file, file.error().message);
   Facts facts;
+  facts.fields = {{"exact", false}, {"two", false}};
   note_integers(*file, facts);
   std::set<std::string> globals;
   for (Item& item : file->items) {
@@ -130,7 +131,7 @@ TEST_CASE("an argument that is the same in all calls is none") {
     std::vector<SourceFile> files = {*file};
     for (Item& item : files[0].items)
       simplify(item, Facts());
-    settle_arguments(files, Facts());
+    settle_arguments(files, Facts(), {"g"});
     const std::unique_ptr<Writer> writer = make_writer(Language::glsl, "x_", {}, {"f", "g"});
     return writer->item(files[0].items[0]) + writer->item(files[0].items[1]);
   };
@@ -142,6 +143,33 @@ TEST_CASE("an argument that is the same in all calls is none") {
   CHECK(settled("f(a, false) + f(a, true)") ==
         kept + "float x_g(float a, bool c) { return x_f(a, false) + x_f(a, true); }\n");
   CHECK(settled("f(a, c)") == kept + "float x_g(float a, bool c) { return x_f(a, c); }\n");
+}
+
+TEST_CASE("nor is one that nobody reads, but in what callers call") {
+  Result<SourceFile> file = parse_file("// Test.\n\nFN Real f(Real a, Vec3 unread) { return a; }\n"
+                                       "FN Real g(Real a, Vec3 b) { return f(a, b); }\n"
+                                       "FN Real twice(Real a, Real b) { return a; }\n"
+                                       "FN Real twice(Real a) { return twice(a, a); }",
+                                       "test.glsl");
+  REQUIRE(file);
+  std::vector<SourceFile> files = {*file};
+  settle_arguments(files, Facts(), {"g"});
+  const std::unique_ptr<Writer> writer = make_writer(Language::glsl, "", {}, {});
+  CHECK(writer->item(files[0].items[0]) == "float f(float a) { return a; }\n");
+  CHECK(writer->item(files[0].items[1]) == "float g(float a, vec3 b) { return f(a); }\n");
+  // Two of one name stay two.
+  CHECK(writer->item(files[0].items[2]) == "float twice(float a, float b) { return a; }\n");
+}
+
+TEST_CASE("a variable that only itself is made of goes") {
+  Result<SourceFile> file = parse_file("// Test.\n\nFN Real f(Real a) {\n  Real b = a;\n"
+                                       "  b = b + a;\n  return a;\n}",
+                                       "test.glsl");
+  REQUIRE(file);
+  CHECK(remove_unread_variables(file->items[0]));
+  CHECK(!remove_unread_variables(file->items[0]));
+  const std::unique_ptr<Writer> writer = make_writer(Language::glsl, "", {}, {});
+  CHECK(writer->item(file->items[0]) == "float f(float a) { return a; }\n");
 }
 
 TEST_CASE("comments stay where they are") {

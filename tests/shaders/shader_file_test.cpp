@@ -29,6 +29,12 @@ ShaderRequest request_of(Language language, std::vector<Shape> shapes = {Shape::
   return request;
 }
 
+ShaderRequest lean_request(Language language) {
+  ShaderRequest request = request_of(language);
+  request.lean = true;
+  return request;
+}
+
 std::string shader(const ShaderRequest& request) {
   const Result<std::string> text = make_shader(request);
   REQUIRE_MESSAGE(text, text.error().message);
@@ -55,7 +61,8 @@ TEST_CASE("the files in shaders/ are what is made today, byte for byte") {
   for (const Language language : all_languages())
     for (const ShaderRequest& request :
          {request_of(language), request_of(language, {Shape::quad}, Lobe::two_lobe_polynomial),
-          request_of(language, {Shape::quad}, Lobe::table), request_of(language, all_shapes())}) {
+          request_of(language, {Shape::quad}, Lobe::table), lean_request(language),
+          request_of(language, all_shapes())}) {
       const std::string path = OPENLTC_SOURCE_DIR "/shaders/" + file_name(request);
       const bool same = read_text(path) == shader(request);
       CHECK_MESSAGE(same, path);
@@ -97,6 +104,18 @@ TEST_CASE("only what the shapes need is in a file") {
                  "second_inv_share"));
   CHECK(!contains(shader(request_of(Language::hlsl, {Shape::quad}, Lobe::table)),
                   "ltc_sum_lobe_polynomial"));
+}
+
+TEST_CASE("a lean file has nothing of turned triangles and of the ratio") {
+  const std::string lean = shader(lean_request(Language::glsl));
+  CHECK(contains(lean, "--shapes quad --lean\n"));
+  CHECK(contains(lean, "vec3 ltc_shade_quad("));
+  for (const char* part :
+       {"set_geometric_normal", "correct_at_mean", "tilted", "corrected", "blended_ratio",
+        "concentration", "outline2", "vec3 front", "bool cut"}) {
+    CHECK_MESSAGE(!contains(without_comments(lean), part), std::string(part));
+    CHECK_MESSAGE(contains(shader(request_of(Language::glsl)), part), std::string(part));
+  }
 }
 
 TEST_CASE("sources, derivations and structure are in the file") {

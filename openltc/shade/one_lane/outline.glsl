@@ -117,12 +117,13 @@ FN OutlineSums add_in_front(OutlineSums outline, Vec3 a, Vec3 b, Lobe lobe, bool
   OutlineSums next = outline;
   Vec3 from = a;
   Vec3 to = b;
-  bool a_seen = true;
+  Vec3 next_from = a;
+  Vec3 next_to = a;
   int parts = 1;
   if (cut) {
     Real a_height = dot(front, a);
     Real b_height = dot(front, b);
-    a_seen = any_lane(a_height >= Real(0.0));
+    bool a_seen = any_lane(a_height >= Real(0.0));
     bool b_seen = any_lane(b_height >= Real(0.0));
     parts = a_seen || b_seen ? 1 : 0;
     if (a_seen != b_seen) {
@@ -131,8 +132,12 @@ FN OutlineSums add_in_front(OutlineSums outline, Vec3 a, Vec3 b, Lobe lobe, bool
       crossing = crossing - front * dot(front, crossing);
       if (a_seen) {
         to = crossing;
+        next_from = crossing;
+        next_to = outline.front;
       } else {
         from = crossing;
+        next_from = outline.front;
+        next_to = crossing;
       }
       if (outline.has_front) {
         parts = 2;
@@ -144,13 +149,9 @@ FN OutlineSums add_in_front(OutlineSums outline, Vec3 a, Vec3 b, Lobe lobe, bool
   }
   for (int i = 0; i < parts; ++i) {
     next = add_to_outline(next, from, to, lobe);
-    if (a_seen) {
-      from = to;
-      to = outline.front;
-    } else {
-      to = from;
-      from = outline.front;
-    }
+    // What joins the crossing to the first.
+    from = next_from;
+    to = next_to;
   }
   return next;
 }
