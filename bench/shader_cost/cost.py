@@ -167,7 +167,8 @@ def print_chromium(folder):
     lines = []
     for light in ("quad", "quad_" + lights.k_lean, *lights.k_usual, *kernels.k_shapes[1:], "all"):
         seconds = [best.get("time_%s_%s" % (target, light)) for target, _, _, _ in parity.k_browser_targets]
-        lines.append([light.replace("_", ", ")] + ["not measured" if s is None else "%.2f s" % s for s in seconds])
+        lines.append([light.replace("_" + lights.k_lean, ", `%s`" % lights.k_lean)]
+                     + ["not measured" if s is None else "%.2f s" % s for s in seconds])
     print_table(["one call"] + [title for _, title, _, _ in parity.k_browser_targets], lines)
 
 
