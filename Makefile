@@ -30,9 +30,10 @@ build: setup ## Build the tool alone: build/release/bin/openltc
 
 # Tests and benchmarks too.
 build-all: build
+	@cmake --preset release -DOPENLTC_STRICT_TESTS=$(if $(findstring clang,$(release_cxx)),ON,OFF) > /dev/null
 	cmake --build --preset release --parallel $(JOBS)
 
-# Library, tool and tests with assertions, warnings as errors, each file by itself, nothing optimised.
+# Library, tool and quick tests with assertions, warnings as errors, each file by itself, nothing optimised.
 build-checked: setup
 	cmake --preset checked -DCMAKE_CXX_COMPILER=$(release_cxx)
 	cmake --build --preset checked --parallel $(JOBS)
