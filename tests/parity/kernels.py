@@ -15,6 +15,7 @@ k_lights = {
     "sphere": ("sphere", "ltc_Sphere", "ltc_make_sphere(a.xyz, a.w)"),
     "tube": ("tube", "ltc_Tube", "ltc_make_tube(a.xyz, b.xyz, a.w, b.w)"),
     "line": ("line", "ltc_Line", "ltc_make_line(a.xyz, b.xyz)"),
+    "textured": ("textured_quad", "ltc_Quad", "ltc_make_quad(a.xyz, b.xyz, c.xyz, b.w)"), # whose picture is no case
 }
 
 # One call for all forms: compilers put a copy of all that a call reaches in its place.

@@ -37,33 +37,39 @@ class Skipped(Exception):
     """What is missing."""
 
 
-class Runner:
-    """The programs and the folder of a run."""
+class Folder:
+    """The programs, and a folder for what is made on the way."""
 
-    def __init__(self, arguments):
-        self.bin, self.work = arguments.bin, arguments.work
-        self.device, self.times = arguments.device, arguments.times
+    def __init__(self, programs, work):
+        self.bin, self.work = os.path.abspath(programs), os.path.abspath(work)
         os.makedirs(self.work, exist_ok=True)
-        self.lanes = self.call("parity_cases", "write", self.work).split()[1:]
 
-    def call(self, program, *arguments):
+    def call(self, program, *arguments, **environment):
+        """What a program prints."""
         result = subprocess.run([os.path.join(self.bin, program)] + list(arguments), stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE, text=True)
+                                stderr=subprocess.PIPE, text=True, env=dict(os.environ, **environment))
         if result.returncode == k_exit_skipped:
             raise Skipped(result.stdout.strip().replace("skipped: ", ""))
         if result.returncode != 0:
             sys.exit("%s %s: exit code %d\n%s" % (program, arguments[0], result.returncode, result.stderr))
         return result.stdout
 
+    def call_vulkan(self, program, *arguments, **environment):
+        """What a program that needs Vulkan prints."""
+        if not os.path.exists(os.path.join(self.bin, program)):
+            raise Skipped("built without Vulkan (package libvulkan-dev)")
+        os.environ.setdefault("XDG_RUNTIME_DIR", self.work)  # Mesa asks for one
+        return self.call(program, *arguments, **environment)
+
     def path(self, name):
         return os.path.join(self.work, name)
 
-    def source(self, language, shapes):
+    def source(self, language, shapes, *options):
         """The text of a shader file."""
-        folder = self.path("%s_%s" % (language, shapes))
+        folder = self.path("_".join((language, shapes) + options))
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(folder)
-        self.call("openltc", "shaders", "--language", language, "--shapes", shapes, "--quiet", "-o", folder)
+        self.call("openltc", "shaders", "--language", language, "--shapes", shapes, *options, "--quiet", "-o", folder)
         (name,) = os.listdir(folder)
         with open(os.path.join(folder, name), encoding="utf-8") as stream:
             return stream.read()
@@ -72,6 +78,15 @@ class Runner:
         with open(self.path(name), "w", encoding="utf-8") as stream:
             stream.write(text)
         return name
+
+
+class Runner(Folder):
+    """A run of cases, which it writes."""
+
+    def __init__(self, arguments):
+        super().__init__(arguments.bin, arguments.work)
+        self.device, self.times = arguments.device, arguments.times
+        self.lanes = self.call("parity_cases", "write", self.work).split()[1:]
 
     def figures(self, target, shape, forms=kernels.k_forms):
         return json.loads(self.call("parity_cases", "compare", self.work, shape, target, str(forms)))
@@ -116,11 +131,8 @@ def check_the_check(runner):
 
 
 def run_vulkan(runner):
-    if not os.path.exists(os.path.join(runner.bin, "vkrun")):
-        raise Skipped("built without Vulkan (package libvulkan-dev)")
     if not shutil.which("glslangValidator"):
         raise Skipped("glslangValidator not found (package glslang-tools)")
-    os.environ.setdefault("XDG_RUNTIME_DIR", runner.work)  # lavapipe asks for one
     files = []
     for shape in kernels.k_shapes:
         text = kernels.case_kernel("glsl", runner.source("glsl", shape), shape)
@@ -131,13 +143,14 @@ def run_vulkan(runner):
             sys.exit("glslangValidator refuses %s:\n%s" % (source, made.stdout))
         files += [spirv, runner.path("cases_%s.bin" % shape), runner.path("vulkan_%s.bin" % shape)]
     device = ["--device", runner.device or "llvmpipe"]
-    lines = runner.call("vkrun", *device, runner.path("polygons.bin"), *files).splitlines()
+    lines = runner.call_vulkan("vkrun", *device, runner.path("polygons.bin"), *files).splitlines()
     kind = "unmeasured" if runner.device else "exact"
-    print("Vulkan: %s; ms to make the pipeline, ns a case: %s" % (lines[0], "; ".join(
+    print("Vulkan: %s; ms to make the pipeline, ns a case, of all processors: %s" % (lines[0], "; ".join(
         "%s %s" % pair for pair in zip(kernels.k_shapes, lines[1:]))))
     return [Row("Vulkan", lines[0], kind, shape, runner.figures("vulkan", shape)) for shape in kernels.k_shapes]
 
 
+k_page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "page.html")
 k_browser_targets = (("webgpu", "WebGPU", "wgsl", ".wgsl"), ("webgl2", "WebGL2", "glsl-es", ".frag"))
 
 
@@ -147,23 +160,31 @@ def browser_forms(target, shape):
     return 2 if (target, shape) == ("webgl2", "tube") else kernels.k_forms
 
 
+def time_job(folder, target, shape, *options):
+    """To compile one call of a shape, or of "all", in the file that `options` make."""
+    (language, suffix), = [(language, suffix) for name, _, language, suffix in k_browser_targets if name == target]
+    shapes = ",".join(kernels.k_shapes) if shape == "all" else shape
+    text = kernels.call_kernel(language, folder.source(language, shapes, *options), shape)
+    name = "_".join(("time", target, shape) + options)
+    return {"name": name, "target": target, "shader": folder.write(name + suffix, text)}
+
+
+def time_jobs(folder):
+    """To compile one call of each shape, and of all of them."""
+    return [time_job(folder, target, shape) for target, _, _, _ in k_browser_targets
+            for shape in kernels.k_shapes + ("all",)]
+
+
 def browser_jobs(runner):
-    jobs = []
+    jobs = time_jobs(runner) if runner.times else []
     for target, _, language, suffix in k_browser_targets:
         for shape in kernels.k_shapes:
             source = runner.source(language, shape)
             name = "%s_%s" % (target, shape)
-            if runner.times:
-                shader = runner.write("call_" + shape + suffix, kernels.call_kernel(language, source, shape))
-                jobs.append({"name": "time_" + name, "target": target, "shader": shader})
             text = kernels.case_kernel(language, source, shape, browser_forms(target, shape))
             shader = runner.write(shape + suffix, text)
             jobs.append({"name": name, "target": target, "shader": shader, "cases": "cases_%s.bin" % shape,
                          "polygons": "polygons.bin"})
-        if runner.times:
-            text = kernels.call_kernel(language, runner.source(language, ",".join(kernels.k_shapes)), "all")
-            jobs.append({"name": "time_%s_all" % target, "target": target,
-                         "shader": runner.write("call_all" + suffix, text)})
     return jobs
 
 
@@ -171,8 +192,7 @@ def run_chromium(runner):
     program = browser.find()
     if not program:
         raise Skipped("no chromium (package chromium)")
-    page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "page.html")
-    answers = browser.run(program, page, runner.work, browser_jobs(runner), hardware=bool(runner.device))
+    answers = browser.run(program, k_page, runner.work, browser_jobs(runner), hardware=bool(runner.device))
     if "webgpu" not in answers:
         raise Skipped("%s opened no page" % program)
     rows, absent = [], []
@@ -207,7 +227,6 @@ def main():
     parser.add_argument("--device", default="", help="part of the name of a graphics processor")
     parser.add_argument("--times", action="store_true", help="say how long shaders take to compile")
     arguments = parser.parse_args()
-    arguments.bin, arguments.work = os.path.abspath(arguments.bin), os.path.abspath(arguments.work)
     runner = Runner(arguments)
     rows, skipped = [], []
     for target in arguments.targets:

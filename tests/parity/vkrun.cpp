@@ -7,119 +7,31 @@
 // buffers of set 0: 0 the cases, 112 bytes each; 1 the polygons; 2 the results, 16 bytes a case; it
 // is dispatched in groups of 64 of them. Of several devices it takes the first whose name contains
 // NAME. It prints the name of the device, then a line for each shader: milliseconds to make the
-// pipeline, nanoseconds a case, the best of three runs.
+// pipeline, nanoseconds a case, and those of all processors, each the best of three runs.
 //
 // Exit code 77: there is no such device.
+
+#include "tests/parity/vulkan_program.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
-#include <vulkan/vulkan.h>
 
 namespace {
 
+using namespace openltc::testing;
+
 constexpr std::size_t k_case_bytes = 112, k_result_bytes = 16, k_group = 64;
-
-void check(VkResult result, const char* what) {
-  if (result == VK_SUCCESS) return;
-  std::fprintf(stderr, "vkrun: %s gives VkResult %d\n", what, int(result));
-  std::exit(1);
-}
-
-std::vector<char> read(const char* path) {
-  std::ifstream file(path, std::ios::binary);
-  std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file || bytes.empty()) {
-    std::fprintf(stderr, "vkrun: cannot read %s\n", path);
-    std::exit(1);
-  }
-  return bytes;
-}
 
 double now() {
   using namespace std::chrono;
   return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return text;
-}
-
-/// A device, one queue of it, and what is needed of both. The process ends with it, so nothing is
-/// freed.
-struct Device {
-  VkPhysicalDevice physical = nullptr;
-  VkDevice device = nullptr;
-  VkQueue queue = nullptr;
-  VkCommandPool commands = nullptr;
-  std::string name;
-};
-
-std::uint32_t compute_family(VkPhysicalDevice physical) {
-  std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
-  std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-  for (std::uint32_t i = 0; i < count; ++i)
-    if (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT) return i;
-  return count;
-}
-
-[[noreturn]] void skip(const char* what) {
-  std::printf("skipped: %s\n", what);
-  std::exit(77);
-}
-
-Device open_device(const std::string& wanted) {
-  VkApplicationInfo application{};
-  application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-  application.apiVersion = VK_API_VERSION_1_1;
-  VkInstanceCreateInfo create{};
-  create.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-  create.pApplicationInfo = &application;
-  VkInstance instance = nullptr;
-  if (vkCreateInstance(&create, nullptr, &instance) != VK_SUCCESS) skip("no Vulkan driver");
-  std::uint32_t count = 0;
-  vkEnumeratePhysicalDevices(instance, &count, nullptr);
-  std::vector<VkPhysicalDevice> all(count);
-  vkEnumeratePhysicalDevices(instance, &count, all.data());
-
-  Device d;
-  for (VkPhysicalDevice physical : all) {
-    VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(physical, &properties);
-    if (lower(properties.deviceName).find(lower(wanted)) == std::string::npos) continue;
-    d.physical = physical;
-    d.name = properties.deviceName;
-    break;
-  }
-  if (!d.physical) skip("no Vulkan device of that name");
-
-  const float priority = 1;
-  VkDeviceQueueCreateInfo queue{};
-  queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-  queue.queueFamilyIndex = compute_family(d.physical);
-  queue.queueCount = 1;
-  queue.pQueuePriorities = &priority;
-  VkDeviceCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-  info.queueCreateInfoCount = 1;
-  info.pQueueCreateInfos = &queue;
-  check(vkCreateDevice(d.physical, &info, nullptr, &d.device), "vkCreateDevice");
-  vkGetDeviceQueue(d.device, queue.queueFamilyIndex, 0, &d.queue);
-  VkCommandPoolCreateInfo pool{};
-  pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  pool.queueFamilyIndex = queue.queueFamilyIndex;
-  check(vkCreateCommandPool(d.device, &pool, nullptr, &d.commands), "vkCreateCommandPool");
-  return d;
 }
 
 /// A storage buffer that the processor reads and writes too.
@@ -161,51 +73,6 @@ Buffer make_buffer(const Device& d, const std::vector<char>& content) {
   return b;
 }
 
-VkDescriptorSetLayout make_set_layout(const Device& d) {
-  VkDescriptorSetLayoutBinding bindings[3] = {};
-  for (std::uint32_t i = 0; i < 3; ++i)
-    bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-  VkDescriptorSetLayoutCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-  info.bindingCount = 3;
-  info.pBindings = bindings;
-  VkDescriptorSetLayout layout = nullptr;
-  check(vkCreateDescriptorSetLayout(d.device, &info, nullptr, &layout),
-        "vkCreateDescriptorSetLayout");
-  return layout;
-}
-
-VkPipelineLayout make_layout(const Device& d, VkDescriptorSetLayout set) {
-  VkPipelineLayoutCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-  info.setLayoutCount = 1;
-  info.pSetLayouts = &set;
-  VkPipelineLayout layout = nullptr;
-  check(vkCreatePipelineLayout(d.device, &info, nullptr, &layout), "vkCreatePipelineLayout");
-  return layout;
-}
-
-VkPipeline make_pipeline(const Device& d, VkPipelineLayout layout, const std::vector<char>& spirv) {
-  std::vector<std::uint32_t> words(spirv.size() / 4);
-  std::memcpy(words.data(), spirv.data(), words.size() * 4);
-  VkShaderModuleCreateInfo source{};
-  source.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-  source.codeSize = words.size() * 4;
-  source.pCode = words.data();
-  VkComputePipelineCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.pName = "main";
-  info.layout = layout;
-  check(vkCreateShaderModule(d.device, &source, nullptr, &info.stage.module),
-        "vkCreateShaderModule");
-  VkPipeline pipeline = nullptr;
-  check(vkCreateComputePipelines(d.device, nullptr, 1, &info, nullptr, &pipeline),
-        "vkCreateComputePipelines");
-  return pipeline;
-}
-
 VkDescriptorSet make_set(const Device& d, VkDescriptorSetLayout layout,
                          const Buffer (&buffers)[3]) {
   const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 3};
@@ -236,9 +103,14 @@ VkDescriptorSet make_set(const Device& d, VkDescriptorSetLayout layout,
   return set;
 }
 
-/// Runs it; seconds.
-double dispatch(const Device& d, VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set,
-                std::uint32_t groups) {
+/// What a run took, in seconds: of the clock, and of all processors.
+struct Times {
+  double wall = 1e9, processor = 1e9;
+};
+
+/// Runs it.
+Times dispatch(const Device& d, VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set,
+               std::uint32_t groups) {
   VkCommandBufferAllocateInfo allocate{};
   allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
   allocate.commandPool = d.commands;
@@ -262,33 +134,37 @@ double dispatch(const Device& d, VkPipeline pipeline, VkPipelineLayout layout, V
   submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &commands;
+  const std::clock_t processor = std::clock();
   const double start = now();
   check(vkQueueSubmit(d.queue, 1, &submit, nullptr), "vkQueueSubmit");
   check(vkQueueWaitIdle(d.queue), "vkQueueWaitIdle");
-  return now() - start;
+  return {now() - start, double(std::clock() - processor) / CLOCKS_PER_SEC};
 }
 
 void run(const Device& d, const Buffer& polygons, char** files) {
-  const std::vector<char> cases = read(files[1]);
+  const std::vector<char> cases = read_bytes(files[1]);
   const std::size_t count = cases.size() / k_case_bytes;
   const Buffer buffers[3] = {make_buffer(d, cases), polygons,
                              make_buffer(d, count * k_result_bytes)};
-  const VkDescriptorSetLayout set_layout = make_set_layout(d);
+  const VkDescriptorSetLayout set_layout = make_set_layout(d, 3);
   const VkPipelineLayout layout = make_layout(d, set_layout);
   const double start = now();
-  const VkPipeline pipeline = make_pipeline(d, layout, read(files[0]));
+  const VkPipeline pipeline = make_pipeline(d, layout, read_bytes(files[0]));
   const double made = now() - start;
   const VkDescriptorSet set = make_set(d, set_layout, buffers);
-  double best = 1e9;
-  for (int i = 0; i < 3; ++i)
-    best = std::min(best, dispatch(d, pipeline, layout, set, std::uint32_t(count / k_group)));
+  Times best;
+  for (int i = 0; i < 3; ++i) {
+    const Times times = dispatch(d, pipeline, layout, set, std::uint32_t(count / k_group));
+    best = {std::min(best.wall, times.wall), std::min(best.processor, times.processor)};
+  }
   std::ofstream out(files[2], std::ios::binary);
   out.write(static_cast<const char*>(buffers[2].bytes), std::streamsize(count * k_result_bytes));
   if (!out) {
     std::fprintf(stderr, "vkrun: cannot write %s\n", files[2]);
     std::exit(1);
   }
-  std::printf("%.0f %.1f\n", made * 1e3, best / double(count) * 1e9);
+  std::printf("%.0f %.1f %.1f\n", made * 1e3, best.wall / double(count) * 1e9,
+              best.processor / double(count) * 1e9);
 }
 
 } // namespace
@@ -308,7 +184,7 @@ int main(int argc, char** argv) {
   }
   const Device d = open_device(wanted);
   std::printf("%s\n", d.name.c_str());
-  const Buffer polygons = make_buffer(d, read(argv[first]));
+  const Buffer polygons = make_buffer(d, read_bytes(argv[first]));
   for (int i = first + 1; i < argc; i += 3)
     run(d, polygons, argv + i);
   return 0;

