@@ -497,11 +497,6 @@ float3 ltc_edge_term_scaled(float3 a, float3 b, float3 d, float inv_a, float inv
   return c * (scale * weight);
 }
 
-// edge_term_scaled, which finds the inverse lengths of a and b by itself.
-float3 ltc_edge_term(float3 a, float3 b, float3 d) {
-  return ltc_edge_term_scaled(a, b, d, ltc_inverse_length(a), ltc_inverse_length(b));
-}
-
 // Where an edge crosses a plane, in units of the edge, 0..1; a, b: heights of its ends, of which one is
 // below and the other not. The bound is for targets whose reciprocal is not the last digit's: a place
 // beyond the end would count as cut by the other horizon (clip_edge).
@@ -514,6 +509,54 @@ float ltc_angle_of_unit(float c, float s) {
   float acute = s * ltc_acute_over_sin(c);
   float half_turn = s < 0.0 ? -ltc_k_pi : ltc_k_pi;
   return c < 0.0 ? half_turn - acute : acute;
+}
+
+// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
+// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
+// counts as it is.
+struct ltc_EdgeAbove {
+  float3 term;    // its contribution to the vector irradiance, times 2 pi
+  float turn_cos; // 1 where nothing was cut
+  float turn_sin; // 0 where nothing was cut
+};
+
+// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
+ltc_EdgeAbove ltc_edge_above(float3 a, float3 b, float s, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  float3 d = b - a;
+  float t = ltc_crossing_place(a.z, b.z);
+  float3 q = float3(a.x + d.x * t, a.y + d.y * t, 0.0);
+  float inv_q = ltc_inverse_length(q);
+  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
+  ltc_EdgeAbove edge;
+  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
+                                   b_up ? inv_b : inv_q);
+  edge.term = a_up || b_up ? edge.term : float3(0.0, 0.0, 0.0);
+  bool leaves = a_up && !b_up;
+  bool enters = b_up && !a_up;
+  float inv_s = inv_q * s;
+  float x = q.x * inv_s;
+  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
+  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
+  return edge;
+}
+
+// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
+// other.
+ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
+  ltc_EdgeAbove sum;
+  sum.term = a.term + b.term;
+  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
+  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
+  return sum;
+}
+
+// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
+// about z leads backwards; it holds whatever rounding makes of an angle near 0.
+float3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
+  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
+  return float3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
 }
 
 // ---- light --------------------------------------------------------------------------------------
@@ -689,6 +732,10 @@ ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
 //
 // Source: the edge sum of edge.glsl.
 
+// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
+// normal, meets the y axis.
+float ltc_apex_side(float normal_y, float h) { return normal_y * h < 0.0 ? -1.0 : 1.0; }
+
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   float3 diffuse;  // 2 pi times the vector irradiance of the clipped polygon in shading space
@@ -713,191 +760,84 @@ ltc_Corner ltc_corner_at(float3 p, ltc_Lobe lobe) {
   return corner;
 }
 
-// Corner i of a polygon as `position`, world space, sees it.
-ltc_Corner ltc_quad_corner_seen(ltc_Quad quad, int i, float3 position, ltc_Frame frame,
-                                ltc_Lobe lobe) {
-  return ltc_corner_at(ltc_to_shading(frame, ltc_quad_point(quad, i) - position), lobe);
+// And above the surface's horizon, clipped to the cosine's, not yet closed.
+ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
 }
-
-// Height over the nearer of the two horizons, in units of its own space.
-float ltc_least_height(ltc_Corner corner) { return min(corner.p.z, corner.o.z); }
 
 // The same of an edge above both horizons.
 float3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
   return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
 }
 
-// And in cosine space.
-float3 ltc_whole_specular_term(ltc_Corner a, ltc_Corner b) {
-  return ltc_edge_term_scaled(a.o, b.o, b.o - a.o, a.inv_o, b.inv_o);
+// ---- convex quad --------------------------------------------------------------------------------
+//
+// A convex quad cut by both horizons in one lane, without a loop and with next to no branch: what the surface's
+// horizon leaves of it has five corners at most, and five that may coincide stand for every case. In cosine space
+// their five edges are cut one by one and closed in their plane, as in lanes (close_outline).
+
+// The point where an edge crosses the surface's horizon, shading space.
+float3 ltc_horizon_point(float3 a, float3 b) {
+  float t = ltc_crossing_place(a.z, b.z);
+  return float3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
 }
 
-// sum_edges for four corners above both horizons: nothing is cut.
-ltc_EdgeSums ltc_sum_whole_quad(ltc_Corner a, ltc_Corner b, ltc_Corner c, ltc_Corner d) {
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
+// h: signed distance of its plane along its normal.
+ltc_EdgeSums ltc_sum_convex_quad(float3 corner0, float3 corner1, float3 corner2, float3 corner3,
+                                 float s, float h, ltc_Lobe lobe) {
+  float3 a = corner0;
+  float3 b = corner1;
+  float3 c = corner2;
+  float3 d = corner3;
+  // Turned until it enters at a: a is above and d is not. One that is wholly above comes as it may.
+  for (int i = 0; i < 3; ++i) {
+    bool enters = a.z >= 0.0 && d.z < 0.0;
+    float3 first = a;
+    a = enters ? a : b;
+    b = enters ? b : c;
+    c = enters ? c : d;
+    d = enters ? d : first;
+  }
+  bool seen = a.z >= 0.0;
+  bool two = b.z >= 0.0;
+  bool three = two && c.z >= 0.0;
+  bool four = d.z >= 0.0;
+  float3 last = three ? c : (two ? b : a);
+  float3 below = three ? d : (two ? c : b);
+  float3 leaves = four ? d : ltc_horizon_point(last, below);
+  ltc_Corner p0 = ltc_corner_at(four ? d : ltc_horizon_point(d, a), lobe);
+  ltc_Corner p1 = ltc_corner_at(a, lobe);
+  float3 diffuse = ltc_whole_diffuse_term(p0, p1);
+  ltc_EdgeAbove specular = ltc_specular_edge(p0, p1, s);
+  ltc_Corner p2 = ltc_corner_at(two ? b : leaves, lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
+  ltc_Corner p3 = ltc_corner_at(three ? c : leaves, lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
+  ltc_Corner p4 = ltc_corner_at(leaves, lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
+  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  float3 none = float3(0.0, 0.0, 0.0);
   ltc_EdgeSums sums;
-  sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
-                 ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-  sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
-                  ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
+  sums.diffuse = seen ? diffuse : none;
+  sums.specular = seen ? ltc_close_outline(specular, h * lobe.det) : none;
   return sums;
 }
 
-// ---- outline ------------------------------------------------------------------------------------
-//
-// The sum over a polygon's edges as one lane does it by itself, as in a shader: an edge is cut by one plane after
-// the other, and what nothing is left of is passed over by a branch. Code that is short and holds little at a time
-// is what counts there, so each edge begins anew with its two ends.
-//
-// Where an outline crosses a plane, what is left of it goes on in the plane. All its crossings lie on the straight
-// line in which the polygon's own plane meets this one, which a point that has a side of the polygon sees as less than
-// half a turn: so edges between each crossing and the first telescope, and outlines may be concave, or have holes. Such
-// an edge is then cut by the next plane like any other. Lanes, which all walk the same way, close at an apex instead,
-// a sum without a memory (edge.glsl).
-
-// What is summed along an outline, and where it first crossed each plane.
-struct ltc_OutlineSums {
-  float3 diffuse;   // 2 pi times the vector irradiance, shading space
-  float3 specular;  // the same in cosine space
-  float3 horizon;   // of the surface's horizon, shading space
-  float3 cosine;    // and of the cosine's horizon, unit, cosine space
-  bool has_horizon; // whether there was any
-  bool has_cosine;  // whether there was any
-};
-
-// No edges yet.
-ltc_OutlineSums ltc_no_outline() {
-  ltc_OutlineSums outline;
-  outline.diffuse = float3(0.0, 0.0, 0.0);
-  outline.specular = outline.diffuse;
-  outline.horizon = outline.diffuse;
-  outline.cosine = outline.diffuse;
-  outline.has_horizon = false;
-  outline.has_cosine = false;
-  return outline;
-}
-
-// The edge from a to b (cosine space), above the surface's horizon, cut by the cosine's, for the specular sum.
-ltc_OutlineSums ltc_add_to_specular(ltc_OutlineSums outline, float3 a, float3 b) {
-  ltc_OutlineSums next = outline;
-  bool a_up = a.z >= 0.0;
-  bool b_up = b.z >= 0.0;
-  if (a_up || b_up) {
-    float3 from = a;
-    float3 to = b;
-    float3 along = b - a;
-    if (a_up != b_up) {
-      float t = ltc_crossing_place(a.z, b.z);
-      float3 cut = float3(a.x + along.x * t, a.y + along.y * t, 0.0);
-      float3 unit = cut * ltc_inverse_length(cut);
-      float leaves = 1.0;
-      if (a_up) {
-        to = cut;
-        along = along * t;
-      } else {
-        from = cut;
-        along = along * (1.0 - t);
-        leaves = -1.0;
-      }
-      if (outline.has_cosine) {
-        float angle = ltc_angle_of_unit(dot(unit, outline.cosine),
-                                        unit.x * outline.cosine.y - unit.y * outline.cosine.x);
-        next.specular.z = next.specular.z + angle * leaves;
-      } else {
-        next.cosine = unit;
-        next.has_cosine = true;
-      }
-    }
-    next.specular = next.specular + ltc_edge_term(from, to, along);
-  }
-  return next;
-}
-
-// The edge from a to b (shading space), cut by both horizons, for both sums.
-ltc_OutlineSums ltc_add_to_outline(ltc_OutlineSums outline, float3 a, float3 b, ltc_Lobe lobe) {
-  ltc_OutlineSums next = outline;
-  bool a_up = a.z >= 0.0;
-  bool b_up = b.z >= 0.0;
-  float3 from = a;
-  float3 to = b;
-  int parts = a_up || b_up ? 1 : 0;
-  if (a_up != b_up) {
-    float t = ltc_crossing_place(a.z, b.z);
-    float3 cut = float3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
-    if (a_up) {
-      to = cut;
-    } else {
-      from = cut;
-    }
-    if (outline.has_horizon) {
-      parts = 2;
-    } else {
-      next.horizon = cut;
-      next.has_horizon = true;
-    }
-  }
-  for (int i = 0; i < parts; ++i) {
-    next.diffuse = next.diffuse + ltc_edge_term(from, to, to - from);
-    next = ltc_add_to_specular(next, ltc_to_cosine(lobe, from), ltc_to_cosine(lobe, to));
-    // What joins the crossing to the first.
-    if (a_up) {
-      from = to;
-      to = outline.horizon;
-    } else {
-      to = from;
-      from = outline.horizon;
-    }
-  }
-  return next;
-}
-
-// The same, with `cut` cut before all else by the plane of the triangle, whose unit normal in shading space is
-// `front`.
-ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, float3 a, float3 b, ltc_Lobe lobe) {
-  ltc_OutlineSums next = outline;
-  float3 from = a;
-  float3 to = b;
-  float3 next_from = a;
-  float3 next_to = a;
-  int parts = 1;
-  for (int i = 0; i < parts; ++i) {
-    next = ltc_add_to_outline(next, from, to, lobe);
-    // What joins the crossing to the first.
-    from = next_from;
-    to = next_to;
-  }
-  return next;
-}
-
-// sum_edges in one lane, and with `cut` of what is in front of the plane with unit normal `front`, shading space.
-ltc_EdgeSums ltc_quad_sum_edges_in_one_lane(ltc_Quad quad, float3 position, ltc_Frame frame,
-                                            ltc_Lobe lobe) {
-  ltc_OutlineSums outline = ltc_no_outline();
-  float3 a = ltc_to_shading(frame, ltc_quad_point(quad, 0) - position);
-  int count = 5;
-  for (int i = 1; i < count; ++i) {
-    float3 b = ltc_to_shading(frame, ltc_quad_point(quad, i) - position);
-    outline = ltc_add_in_front(outline, a, b, lobe);
-    a = b;
-  }
-  ltc_EdgeSums sums;
-  sums.diffuse = outline.diffuse;
-  sums.specular = outline.specular;
-  return sums;
-}
-
-// The same of a quad, most of which are above both horizons and the triangle's plane.
+// sum_edges_in_one_lane of a parallelogram at signed distance h along its normal: by its outline where a triangle's
+// plane cuts it, and else as above.
 ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 position, ltc_Frame frame,
-                                      ltc_Lobe lobe) {
-  ltc_Corner a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
-  ltc_Corner b = ltc_quad_corner_seen(quad, 1, position, frame, lobe);
-  ltc_Corner c = ltc_quad_corner_seen(quad, 2, position, frame, lobe);
-  ltc_Corner d = ltc_quad_corner_seen(quad, 3, position, frame, lobe);
-  float lowest = min(min(ltc_least_height(a), ltc_least_height(b)),
-                     min(ltc_least_height(c), ltc_least_height(d)));
-  if (lowest >= 0.0) {
-    return ltc_sum_whole_quad(a, b, c, d);
-  }
-  return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe);
+                                      ltc_Lobe lobe, float h) {
+  float3 a = ltc_to_shading(frame, ltc_quad_point(quad, 0) - position);
+  float3 b = ltc_to_shading(frame, ltc_quad_point(quad, 1) - position);
+  float3 c = ltc_to_shading(frame, ltc_quad_point(quad, 2) - position);
+  float3 d = ltc_to_shading(frame, ltc_quad_point(quad, 3) - position);
+  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
+  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  return sums;
 }
 
 // ---- polygon ------------------------------------------------------------------------------------
@@ -913,6 +853,7 @@ ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 position, ltc_Frame 
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
+//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -1025,7 +966,7 @@ ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, float3 position, ltc_Fr
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   bool lit = side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe);
+    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }

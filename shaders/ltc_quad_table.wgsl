@@ -534,6 +534,54 @@ fn ltc_angle_of_unit(c: f32, s: f32) -> f32 {
   return select(acute, half_turn - acute, c < 0.0);
 }
 
+// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
+// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
+// counts as it is.
+struct ltc_EdgeAbove {
+  term: vec3f,   // its contribution to the vector irradiance, times 2 pi
+  turn_cos: f32, // 1 where nothing was cut
+  turn_sin: f32, // 0 where nothing was cut
+}
+
+// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
+fn ltc_edge_above(a: vec3f, b: vec3f, s: f32, inv_a: f32, inv_b: f32) -> ltc_EdgeAbove {
+  let a_up = a.z >= 0.0;
+  let b_up = b.z >= 0.0;
+  let d = b - a;
+  let t = ltc_crossing_place(a.z, b.z);
+  let q = vec3f(a.x + d.x * t, a.y + d.y * t, 0.0);
+  let inv_q = ltc_inverse_length(q);
+  let extent = select(1.0 - t, select(t, 1.0, b_up), a_up);
+  var edge: ltc_EdgeAbove;
+  edge.term = ltc_edge_term_scaled(select(q, a, a_up), select(q, b, b_up), d * extent,
+                                   select(inv_q, inv_a, a_up), select(inv_q, inv_b, b_up));
+  edge.term = select(vec3f(0.0, 0.0, 0.0), edge.term, a_up || b_up);
+  let leaves = a_up && !b_up;
+  let enters = b_up && !a_up;
+  let inv_s = inv_q * s;
+  let x = q.x * inv_s;
+  edge.turn_cos = select(1.0, q.y * inv_s, leaves || enters);
+  edge.turn_sin = select(select(0.0, -x, enters), x, leaves);
+  return edge;
+}
+
+// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
+// other.
+fn ltc_join_edges(a: ltc_EdgeAbove, b: ltc_EdgeAbove) -> ltc_EdgeAbove {
+  var sum: ltc_EdgeAbove;
+  sum.term = a.term + b.term;
+  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
+  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
+  return sum;
+}
+
+// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
+// about z leads backwards; it holds whatever rounding makes of an angle near 0.
+fn ltc_close_outline(sum: ltc_EdgeAbove, way: f32) -> vec3f {
+  let angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
+  return vec3f(sum.term.x, sum.term.y, sum.term.z + select(angle, -angle, way < 0.0));
+}
+
 // ---- light --------------------------------------------------------------------------------------
 //
 // What lights of all shapes share: their integral, a point of one, and the planes of flat ones.
@@ -801,6 +849,10 @@ fn ltc_shade_integral(s: ltc_Surface, integral: ltc_LightIntegral) -> ltc_Shaded
 //
 // Source: the edge sum of edge.glsl.
 
+// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
+// normal, meets the y axis.
+fn ltc_apex_side(normal_y: f32, h: f32) -> f32 { return select(1.0, -1.0, normal_y * h < 0.0); }
+
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   diffuse: vec3f,  // 2 pi times the vector irradiance of the clipped polygon in shading space
@@ -826,40 +878,19 @@ fn ltc_corner_at(p: vec3f, lobe: ltc_Lobe) -> ltc_Corner {
   return corner;
 }
 
-// Corner i of a polygon as `position`, world space, sees it.
-fn ltc_quad_corner_seen(quad: ltc_Quad, i: i32, position: vec3f, frame: ltc_Frame,
-                        lobe: ltc_Lobe) -> ltc_Corner {
-  return ltc_corner_at(ltc_to_shading(frame, ltc_quad_point(quad, i) - position), lobe);
+// And above the surface's horizon, clipped to the cosine's, not yet closed.
+fn ltc_specular_edge(a: ltc_Corner, b: ltc_Corner, s: f32) -> ltc_EdgeAbove {
+  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
 }
-
-// Height over the nearer of the two horizons, in units of its own space.
-fn ltc_least_height(corner: ltc_Corner) -> f32 { return min(corner.p.z, corner.o.z); }
 
 // The same of an edge above both horizons.
 fn ltc_whole_diffuse_term(a: ltc_Corner, b: ltc_Corner) -> vec3f {
   return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
 }
 
-// And in cosine space.
-fn ltc_whole_specular_term(a: ltc_Corner, b: ltc_Corner) -> vec3f {
-  return ltc_edge_term_scaled(a.o, b.o, b.o - a.o, a.inv_o, b.inv_o);
-}
-
 // Square of the length of a mean, from the sum and the number of its parts.
 fn ltc_mean_length2(sum: vec3f, count: f32) -> f32 {
   return dot(sum, sum) / max(count * count, 1.0);
-}
-
-// sum_edges for four corners above both horizons: nothing is cut.
-fn ltc_sum_whole_quad(a: ltc_Corner, b: ltc_Corner, c: ltc_Corner, d: ltc_Corner) -> ltc_EdgeSums {
-  var sums: ltc_EdgeSums;
-  sums.outline2 = ltc_mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o,
-                                   4.0);
-  sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
-                 ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-  sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
-                  ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
-  return sums;
 }
 
 // ---- outline ------------------------------------------------------------------------------------
@@ -977,7 +1008,7 @@ fn ltc_add_to_outline(outline: ltc_OutlineSums, a: vec3f, b: vec3f,
 
 // The same, with `cut` cut before all else by the plane of the triangle, whose unit normal in shading space is
 // `front`.
-fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe, cut: bool,
+fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe,
                     front: vec3f) -> ltc_OutlineSums {
   var next = outline;
   var from_ = a;
@@ -985,31 +1016,29 @@ fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe
   var next_from = a;
   var next_to = a;
   var parts = 1;
-  if (cut) {
-    let a_height = dot(front, a);
-    let b_height = dot(front, b);
-    let a_seen = a_height >= 0.0;
-    let b_seen = b_height >= 0.0;
-    parts = select(0, 1, a_seen || b_seen);
-    if (a_seen != b_seen) {
-      var crossing = a + (b - a) * ltc_crossing_place(a_height, b_height);
-      // See corner_between.
-      crossing = crossing - front * dot(front, crossing);
-      if (a_seen) {
-        to = crossing;
-        next_from = crossing;
-        next_to = outline.front;
-      } else {
-        from_ = crossing;
-        next_from = outline.front;
-        next_to = crossing;
-      }
-      if (outline.has_front) {
-        parts = 2;
-      } else {
-        next.front = crossing;
-        next.has_front = true;
-      }
+  let a_height = dot(front, a);
+  let b_height = dot(front, b);
+  let a_seen = a_height >= 0.0;
+  let b_seen = b_height >= 0.0;
+  parts = select(0, 1, a_seen || b_seen);
+  if (a_seen != b_seen) {
+    var crossing = a + (b - a) * ltc_crossing_place(a_height, b_height);
+    // See corner_between.
+    crossing = crossing - front * dot(front, crossing);
+    if (a_seen) {
+      to = crossing;
+      next_from = crossing;
+      next_to = outline.front;
+    } else {
+      from_ = crossing;
+      next_from = outline.front;
+      next_to = crossing;
+    }
+    if (outline.has_front) {
+      parts = 2;
+    } else {
+      next.front = crossing;
+      next.has_front = true;
     }
   }
   for (var i = 0; i < parts; i++) {
@@ -1023,7 +1052,7 @@ fn ltc_add_in_front(outline: ltc_OutlineSums, a: vec3f, b: vec3f, lobe: ltc_Lobe
 
 // sum_edges in one lane, and with `cut` of what is in front of the plane with unit normal `front`, shading space.
 fn ltc_quad_sum_edges_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
-                                  lobe: ltc_Lobe, cut: bool, front: vec3f) -> ltc_EdgeSums {
+                                  lobe: ltc_Lobe, front: vec3f) -> ltc_EdgeSums {
   var outline = ltc_no_outline();
   var corners = outline.diffuse;
   var corner_count = 0.0;
@@ -1034,7 +1063,7 @@ fn ltc_quad_sum_edges_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Fr
     let o = ltc_to_cosine(lobe, b);
     corners = corners + o * ltc_inverse_length(o);
     corner_count = corner_count + 1.0;
-    outline = ltc_add_in_front(outline, a, b, lobe, cut, front);
+    outline = ltc_add_in_front(outline, a, b, lobe, front);
     a = b;
   }
   var sums: ltc_EdgeSums;
@@ -1044,23 +1073,86 @@ fn ltc_quad_sum_edges_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Fr
   return sums;
 }
 
-// The same of a quad, most of which are above both horizons and the triangle's plane.
+// ---- convex quad --------------------------------------------------------------------------------
+//
+// A convex quad cut by both horizons in one lane, without a loop and with next to no branch: what the surface's
+// horizon leaves of it has five corners at most, and five that may coincide stand for every case. In cosine space
+// their five edges are cut one by one and closed in their plane, as in lanes (close_outline).
+
+// The point where an edge crosses the surface's horizon, shading space.
+fn ltc_horizon_point(a: vec3f, b: vec3f) -> vec3f {
+  let t = ltc_crossing_place(a.z, b.z);
+  return vec3f(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
+}
+
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
+// h: signed distance of its plane along its normal.
+fn ltc_sum_convex_quad(corner0: vec3f, corner1: vec3f, corner2: vec3f, corner3: vec3f, s: f32,
+                       h: f32, lobe: ltc_Lobe) -> ltc_EdgeSums {
+  var a = corner0;
+  var b = corner1;
+  var c = corner2;
+  var d = corner3;
+  // Turned until it enters at a: a is above and d is not. One that is wholly above comes as it may.
+  for (var i = 0; i < 3; i++) {
+    let enters = a.z >= 0.0 && d.z < 0.0;
+    let first = a;
+    a = select(b, a, enters);
+    b = select(c, b, enters);
+    c = select(d, c, enters);
+    d = select(first, d, enters);
+  }
+  let seen = a.z >= 0.0;
+  let two = b.z >= 0.0;
+  let three = two && c.z >= 0.0;
+  let four = d.z >= 0.0;
+  let last = select(select(a, b, two), c, three);
+  let below = select(select(b, c, two), d, three);
+  let leaves = select(ltc_horizon_point(last, below), d, four);
+  let p0 = ltc_corner_at(select(ltc_horizon_point(d, a), d, four), lobe);
+  let p1 = ltc_corner_at(a, lobe);
+  var diffuse = ltc_whole_diffuse_term(p0, p1);
+  var specular = ltc_specular_edge(p0, p1, s);
+  let p2 = ltc_corner_at(select(leaves, b, two), lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
+  let p3 = ltc_corner_at(select(leaves, c, three), lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
+  let p4 = ltc_corner_at(leaves, lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
+  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  let none = vec3f(0.0, 0.0, 0.0);
+  var sums: ltc_EdgeSums;
+  sums.diffuse = select(none, diffuse, seen);
+  sums.specular = select(none, ltc_close_outline(specular, h * lobe.det), seen);
+  sums.outline2 = 0.0;
+  return sums;
+}
+
+// sum_edges_in_one_lane of a parallelogram at signed distance h along its normal: by its outline where a triangle's
+// plane cuts it, and else as above.
 fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
-                            cut: bool, front: vec3f) -> ltc_EdgeSums {
-  let a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
-  let b = ltc_quad_corner_seen(quad, 1, position, frame, lobe);
-  let c = ltc_quad_corner_seen(quad, 2, position, frame, lobe);
-  let d = ltc_quad_corner_seen(quad, 3, position, frame, lobe);
-  var lowest = min(min(ltc_least_height(a), ltc_least_height(b)),
-                   min(ltc_least_height(c), ltc_least_height(d)));
+                            h: f32, cut: bool, front: vec3f) -> ltc_EdgeSums {
+  let a = ltc_to_shading(frame, ltc_quad_point(quad, 0) - position);
+  let b = ltc_to_shading(frame, ltc_quad_point(quad, 1) - position);
+  let c = ltc_to_shading(frame, ltc_quad_point(quad, 2) - position);
+  let d = ltc_to_shading(frame, ltc_quad_point(quad, 3) - position);
   if (cut) {
-    lowest = min(lowest,
-                 min(min(dot(front, a.p), dot(front, b.p)), min(dot(front, c.p), dot(front, d.p))));
+    let lowest = min(min(dot(front, a), dot(front, b)), min(dot(front, c), dot(front, d)));
+    if (lowest < 0.0) {
+      return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, front);
+    }
   }
-  if (lowest >= 0.0) {
-    return ltc_sum_whole_quad(a, b, c, d);
-  }
-  return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, cut, front);
+  let s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
+  var sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  let corners = ltc_safe_direction(ltc_to_cosine(lobe, a)) +
+                ltc_safe_direction(ltc_to_cosine(lobe, b)) +
+                ltc_safe_direction(ltc_to_cosine(lobe, c)) +
+                ltc_safe_direction(ltc_to_cosine(lobe, d));
+  sums.outline2 = ltc_mean_length2(corners, 4.0);
+  return sums;
 }
 
 // ---- polygon ------------------------------------------------------------------------------------
@@ -1076,6 +1168,7 @@ fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, l
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
+//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -1200,7 +1293,7 @@ fn ltc_integrate_quad_part(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lo
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   let lit = side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, cut, front);
+    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h, cut, front);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }

@@ -537,6 +537,54 @@ float ltc_angle_of_unit(float c, float s) {
   return c < 0.0 ? half_turn - acute : acute;
 }
 
+// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
+// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
+// counts as it is.
+struct ltc_EdgeAbove {
+  vec3 term;      // its contribution to the vector irradiance, times 2 pi
+  float turn_cos; // 1 where nothing was cut
+  float turn_sin; // 0 where nothing was cut
+};
+
+// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
+ltc_EdgeAbove ltc_edge_above(vec3 a, vec3 b, float s, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  vec3 d = b - a;
+  float t = ltc_crossing_place(a.z, b.z);
+  vec3 q = vec3(a.x + d.x * t, a.y + d.y * t, 0.0);
+  float inv_q = ltc_inverse_length(q);
+  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
+  ltc_EdgeAbove edge;
+  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
+                                   b_up ? inv_b : inv_q);
+  edge.term = a_up || b_up ? edge.term : vec3(0.0, 0.0, 0.0);
+  bool leaves = a_up && !b_up;
+  bool enters = b_up && !a_up;
+  float inv_s = inv_q * s;
+  float x = q.x * inv_s;
+  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
+  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
+  return edge;
+}
+
+// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
+// other.
+ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
+  ltc_EdgeAbove sum;
+  sum.term = a.term + b.term;
+  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
+  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
+  return sum;
+}
+
+// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
+// about z leads backwards; it holds whatever rounding makes of an angle near 0.
+vec3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
+  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
+  return vec3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
+}
+
 // ---- light --------------------------------------------------------------------------------------
 //
 // What lights of all shapes share: their integral, a point of one, and the planes of flat ones.
@@ -799,6 +847,10 @@ ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
 //
 // Source: the edge sum of edge.glsl.
 
+// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
+// normal, meets the y axis.
+float ltc_apex_side(float normal_y, float h) { return normal_y * h < 0.0 ? -1.0 : 1.0; }
+
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   vec3 diffuse;   // 2 pi times the vector irradiance of the clipped polygon in shading space
@@ -824,39 +876,18 @@ ltc_Corner ltc_corner_at(vec3 p, ltc_Lobe lobe) {
   return corner;
 }
 
-// Corner i of a polygon as `position`, world space, sees it.
-ltc_Corner ltc_quad_corner_seen(ltc_Quad quad, int i, vec3 position, ltc_Frame frame,
-                                ltc_Lobe lobe) {
-  return ltc_corner_at(ltc_to_shading(frame, ltc_quad_point(quad, i) - position), lobe);
+// And above the surface's horizon, clipped to the cosine's, not yet closed.
+ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
+  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
 }
-
-// Height over the nearer of the two horizons, in units of its own space.
-float ltc_least_height(ltc_Corner corner) { return min(corner.p.z, corner.o.z); }
 
 // The same of an edge above both horizons.
 vec3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
   return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
 }
 
-// And in cosine space.
-vec3 ltc_whole_specular_term(ltc_Corner a, ltc_Corner b) {
-  return ltc_edge_term_scaled(a.o, b.o, b.o - a.o, a.inv_o, b.inv_o);
-}
-
 // Square of the length of a mean, from the sum and the number of its parts.
 float ltc_mean_length2(vec3 sum, float count) { return dot(sum, sum) / max(count * count, 1.0); }
-
-// sum_edges for four corners above both horizons: nothing is cut.
-ltc_EdgeSums ltc_sum_whole_quad(ltc_Corner a, ltc_Corner b, ltc_Corner c, ltc_Corner d) {
-  ltc_EdgeSums sums;
-  sums.outline2 = ltc_mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o,
-                                   4.0);
-  sums.diffuse = ltc_whole_diffuse_term(a, b) + ltc_whole_diffuse_term(b, c) +
-                 ltc_whole_diffuse_term(c, d) + ltc_whole_diffuse_term(d, a);
-  sums.specular = ltc_whole_specular_term(a, b) + ltc_whole_specular_term(b, c) +
-                  ltc_whole_specular_term(c, d) + ltc_whole_specular_term(d, a);
-  return sums;
-}
 
 // ---- outline ------------------------------------------------------------------------------------
 //
@@ -972,7 +1003,7 @@ ltc_OutlineSums ltc_add_to_outline(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_
 
 // The same, with `cut` cut before all else by the plane of the triangle, whose unit normal in shading space is
 // `front`.
-ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lobe lobe, bool cut,
+ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lobe lobe,
                                  vec3 front) {
   ltc_OutlineSums next = outline;
   vec3 from = a;
@@ -980,31 +1011,29 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
   vec3 next_from = a;
   vec3 next_to = a;
   int parts = 1;
-  if (cut) {
-    float a_height = dot(front, a);
-    float b_height = dot(front, b);
-    bool a_seen = a_height >= 0.0;
-    bool b_seen = b_height >= 0.0;
-    parts = a_seen || b_seen ? 1 : 0;
-    if (a_seen != b_seen) {
-      vec3 crossing = a + (b - a) * ltc_crossing_place(a_height, b_height);
-      // See corner_between.
-      crossing = crossing - front * dot(front, crossing);
-      if (a_seen) {
-        to = crossing;
-        next_from = crossing;
-        next_to = outline.front;
-      } else {
-        from = crossing;
-        next_from = outline.front;
-        next_to = crossing;
-      }
-      if (outline.has_front) {
-        parts = 2;
-      } else {
-        next.front = crossing;
-        next.has_front = true;
-      }
+  float a_height = dot(front, a);
+  float b_height = dot(front, b);
+  bool a_seen = a_height >= 0.0;
+  bool b_seen = b_height >= 0.0;
+  parts = a_seen || b_seen ? 1 : 0;
+  if (a_seen != b_seen) {
+    vec3 crossing = a + (b - a) * ltc_crossing_place(a_height, b_height);
+    // See corner_between.
+    crossing = crossing - front * dot(front, crossing);
+    if (a_seen) {
+      to = crossing;
+      next_from = crossing;
+      next_to = outline.front;
+    } else {
+      from = crossing;
+      next_from = outline.front;
+      next_to = crossing;
+    }
+    if (outline.has_front) {
+      parts = 2;
+    } else {
+      next.front = crossing;
+      next.has_front = true;
     }
   }
   for (int i = 0; i < parts; ++i) {
@@ -1018,7 +1047,7 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
 
 // sum_edges in one lane, and with `cut` of what is in front of the plane with unit normal `front`, shading space.
 ltc_EdgeSums ltc_quad_sum_edges_in_one_lane(ltc_Quad quad, vec3 position, ltc_Frame frame,
-                                            ltc_Lobe lobe, bool cut, vec3 front) {
+                                            ltc_Lobe lobe, vec3 front) {
   ltc_OutlineSums outline = ltc_no_outline();
   vec3 corners = outline.diffuse;
   float corner_count = 0.0;
@@ -1029,7 +1058,7 @@ ltc_EdgeSums ltc_quad_sum_edges_in_one_lane(ltc_Quad quad, vec3 position, ltc_Fr
     vec3 o = ltc_to_cosine(lobe, b);
     corners = corners + o * ltc_inverse_length(o);
     corner_count = corner_count + 1.0;
-    outline = ltc_add_in_front(outline, a, b, lobe, cut, front);
+    outline = ltc_add_in_front(outline, a, b, lobe, front);
     a = b;
   }
   ltc_EdgeSums sums;
@@ -1039,23 +1068,86 @@ ltc_EdgeSums ltc_quad_sum_edges_in_one_lane(ltc_Quad quad, vec3 position, ltc_Fr
   return sums;
 }
 
-// The same of a quad, most of which are above both horizons and the triangle's plane.
+// ---- convex quad --------------------------------------------------------------------------------
+//
+// A convex quad cut by both horizons in one lane, without a loop and with next to no branch: what the surface's
+// horizon leaves of it has five corners at most, and five that may coincide stand for every case. In cosine space
+// their five edges are cut one by one and closed in their plane, as in lanes (close_outline).
+
+// The point where an edge crosses the surface's horizon, shading space.
+vec3 ltc_horizon_point(vec3 a, vec3 b) {
+  float t = ltc_crossing_place(a.z, b.z);
+  return vec3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
+}
+
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
+// h: signed distance of its plane along its normal.
+ltc_EdgeSums ltc_sum_convex_quad(vec3 corner0, vec3 corner1, vec3 corner2, vec3 corner3, float s,
+                                 float h, ltc_Lobe lobe) {
+  vec3 a = corner0;
+  vec3 b = corner1;
+  vec3 c = corner2;
+  vec3 d = corner3;
+  // Turned until it enters at a: a is above and d is not. One that is wholly above comes as it may.
+  for (int i = 0; i < 3; ++i) {
+    bool enters = a.z >= 0.0 && d.z < 0.0;
+    vec3 first = a;
+    a = enters ? a : b;
+    b = enters ? b : c;
+    c = enters ? c : d;
+    d = enters ? d : first;
+  }
+  bool seen = a.z >= 0.0;
+  bool two = b.z >= 0.0;
+  bool three = two && c.z >= 0.0;
+  bool four = d.z >= 0.0;
+  vec3 last = three ? c : (two ? b : a);
+  vec3 below = three ? d : (two ? c : b);
+  vec3 leaves = four ? d : ltc_horizon_point(last, below);
+  ltc_Corner p0 = ltc_corner_at(four ? d : ltc_horizon_point(d, a), lobe);
+  ltc_Corner p1 = ltc_corner_at(a, lobe);
+  vec3 diffuse = ltc_whole_diffuse_term(p0, p1);
+  ltc_EdgeAbove specular = ltc_specular_edge(p0, p1, s);
+  ltc_Corner p2 = ltc_corner_at(two ? b : leaves, lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
+  ltc_Corner p3 = ltc_corner_at(three ? c : leaves, lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
+  ltc_Corner p4 = ltc_corner_at(leaves, lobe);
+  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
+  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
+  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  ltc_EdgeSums sums;
+  sums.diffuse = seen ? diffuse : none;
+  sums.specular = seen ? ltc_close_outline(specular, h * lobe.det) : none;
+  sums.outline2 = 0.0;
+  return sums;
+}
+
+// sum_edges_in_one_lane of a parallelogram at signed distance h along its normal: by its outline where a triangle's
+// plane cuts it, and else as above.
 ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, vec3 position, ltc_Frame frame,
-                                      ltc_Lobe lobe, bool cut, vec3 front) {
-  ltc_Corner a = ltc_quad_corner_seen(quad, 0, position, frame, lobe);
-  ltc_Corner b = ltc_quad_corner_seen(quad, 1, position, frame, lobe);
-  ltc_Corner c = ltc_quad_corner_seen(quad, 2, position, frame, lobe);
-  ltc_Corner d = ltc_quad_corner_seen(quad, 3, position, frame, lobe);
-  float lowest = min(min(ltc_least_height(a), ltc_least_height(b)),
-                     min(ltc_least_height(c), ltc_least_height(d)));
+                                      ltc_Lobe lobe, float h, bool cut, vec3 front) {
+  vec3 a = ltc_to_shading(frame, ltc_quad_point(quad, 0) - position);
+  vec3 b = ltc_to_shading(frame, ltc_quad_point(quad, 1) - position);
+  vec3 c = ltc_to_shading(frame, ltc_quad_point(quad, 2) - position);
+  vec3 d = ltc_to_shading(frame, ltc_quad_point(quad, 3) - position);
   if (cut) {
-    lowest = min(lowest,
-                 min(min(dot(front, a.p), dot(front, b.p)), min(dot(front, c.p), dot(front, d.p))));
+    float lowest = min(min(dot(front, a), dot(front, b)), min(dot(front, c), dot(front, d)));
+    if (lowest < 0.0) {
+      return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, front);
+    }
   }
-  if (lowest >= 0.0) {
-    return ltc_sum_whole_quad(a, b, c, d);
-  }
-  return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, cut, front);
+  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
+  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  vec3 corners = ltc_safe_direction(ltc_to_cosine(lobe, a)) +
+                 ltc_safe_direction(ltc_to_cosine(lobe, b)) +
+                 ltc_safe_direction(ltc_to_cosine(lobe, c)) +
+                 ltc_safe_direction(ltc_to_cosine(lobe, d));
+  sums.outline2 = ltc_mean_length2(corners, 4.0);
+  return sums;
 }
 
 // ---- polygon ------------------------------------------------------------------------------------
@@ -1071,6 +1163,7 @@ ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, vec3 position, ltc_Frame fr
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
+//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -1194,7 +1287,7 @@ ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, vec3 position, ltc_Fram
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   bool lit = side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, cut, front);
+    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h, cut, front);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }

@@ -12,6 +12,7 @@
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
+//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -138,8 +139,8 @@ FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame fr
   Mask lit = side != Real(0.0);
   if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
     if (one_lane()) {
-      if (polygon_point_count(polygon) == k_quad_points) {
-        sums = sum_quad_in_one_lane(polygon, position, frame, lobe, cut, front);
+      if (polygon_is_parallelogram(polygon)) {
+        sums = sum_quad_in_one_lane(polygon, position, frame, lobe, h, cut, front);
       } else {
         sums = sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
       }

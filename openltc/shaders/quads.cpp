@@ -43,6 +43,8 @@ Item quad_function(Item item, const std::set<std::string>& of_polygons) {
       node = {Kind::number, k_quad_points};
     else if (is_call(node, "polygon_starts_ring"))
       node = name_of("false");
+    else if (is_call(node, "polygon_is_parallelogram"))
+      node = name_of("true");
     else if (node.kind == Kind::binary && node.text == "==" &&
              node.parts[0].text == k_quad_points && is_name(node.parts[1], "k_quad_points"))
       node = name_of("true");
@@ -80,7 +82,8 @@ void drop_quad_case(std::vector<SourceFile>& files) {
   for (SourceFile& file : files)
     for (Item& item : file.items)
       rewrite(item.body, [](Node& node) {
-        if (asks_for_four(node)) node = name_of("false");
+        if (asks_for_four(node) || is_call(node, "polygon_is_parallelogram"))
+          node = name_of("false");
       });
 }
 

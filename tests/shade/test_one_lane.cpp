@@ -36,9 +36,11 @@ TEST_CASE("edges in one lane: any outline, cut by both horizons and by a triangl
       const TestPolygon polygon(testing::shape(i % 5), p.origin, p.u, p.v);
       const Vec3d front = cut ? normalize(s.frame.n + random.sphere() * 0.5) : s.frame.n;
       const Vec3d front_shading = f64::to_shading(s.frame, front);
+      const double h = dot(f64::polygon_origin(polygon.view()) - s.position,
+                           f64::polygon_normal(polygon.view()));
       const f64::EdgeSums sums =
-          polygon.view().point_count == f64::k_quad_points
-              ? f64::sum_quad_in_one_lane(polygon.view(), s.position, s.frame, s.lobe, cut,
+          i % 5 == 0 // a rectangle
+              ? f64::sum_quad_in_one_lane(polygon.view(), s.position, s.frame, s.lobe, h, cut,
                                           front_shading)
               : f64::sum_edges_in_one_lane(polygon.view(), s.position, s.frame, s.lobe, cut,
                                            front_shading);

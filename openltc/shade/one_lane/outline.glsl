@@ -180,21 +180,3 @@ FN EdgeSums sum_edges_in_one_lane(Polygon polygon, Vec3 position, Frame frame, L
   sums.outline2 = mean_length2(corners, corner_count);
   return sums;
 }
-
-/// The same of a quad, most of which are above both horizons and the triangle's plane.
-FN EdgeSums sum_quad_in_one_lane(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, bool cut,
-                                 Vec3 front) {
-  Corner a = corner_seen(polygon, 0, position, frame, lobe);
-  Corner b = corner_seen(polygon, 1, position, frame, lobe);
-  Corner c = corner_seen(polygon, 2, position, frame, lobe);
-  Corner d = corner_seen(polygon, 3, position, frame, lobe);
-  Real lowest = min(min(least_height(a), least_height(b)), min(least_height(c), least_height(d)));
-  if (cut) {
-    lowest = min(lowest,
-                 min(min(dot(front, a.p), dot(front, b.p)), min(dot(front, c.p), dot(front, d.p))));
-  }
-  if (all_lanes(lowest >= Real(0.0))) {
-    return sum_whole_quad(a, b, c, d);
-  }
-  return sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
-}
