@@ -4,11 +4,13 @@
 """Shows scenes by three.js with the lights of web/three, in a browser without a window, and compares the pictures
 with those of `openltc render`, which reads the same files.
 
-    three.py --openltc PROGRAM --work DIR [--spoil] [--picture PNG]
+    three.py --openltc PROGRAM --work DIR [--all] [--spoil] [--picture PNG]
 
 A scene is the stage of tools/make_light_shapes.py under lights of openltc_light and EXT_lights_area. The page
 reads them by the package's plugin, or, for the figure beside ours, three's own RectAreaLight. Pictures are radiance as floats. They
 are compared as a screen shows them: times an exposure, clipped at white, sRGB, in steps of 255.
+
+--all: each renderer of each release of three.js draws each scene, not some of them the newest alone.
 
 --spoil: one light of each scene is mirrored for openltc render alone, so that the check must fail.
 
@@ -108,7 +110,11 @@ def coat(material, drawn):
 
 
 k_materials = {"physical": physical, "coat": coat}
-k_jobs = [(name, name, True) for name in k_scenes] + [("three's own rect", "rect", False)]
+# Renderers: three.js's WebGLRenderer, and its WebGPURenderer on WebGPU and on WebGL 2; and what they draw in a hurry.
+k_renderers = {"webgl": list(k_scenes), "webgpu": ["rect", "gltf", "coat"], "webgpu_gl": ["polygon"]}
+# Folders of three.js: the newest is that of `make web`.
+k_newest = "out/web/node_modules/three"
+k_releases = ("three-186", "three-182")
 
 
 def size_of(scene):
@@ -135,6 +141,26 @@ def mirrored(lights):
     """The first light, its x turned over."""
     (x, y, z), (qx, qy, qz, qw), members = lights[0]
     return [((-x, y, z), (qx, -qy, -qz, qw), members)] + lights[1:]
+
+
+def jobs_of(scenes):
+    """What the page is asked for: by each renderer its scenes, and three's own rectangle."""
+    jobs = []
+    for renderer, names in scenes.items():
+        jobs += [dict(name="%s, %s" % (renderer, name), scene=name, renderer=renderer, own=True) for name in names]
+        jobs.append(dict(name="%s, three's own rect" % renderer, scene="rect", renderer=renderer, own=False))
+    return [dict(job, size=size_of(job["scene"]), alone=job["renderer"] == "webgl" or job["scene"] == "rect")
+            for job in jobs]
+
+
+def make_page(work, three):
+    """The page for that folder of three.js below `work`."""
+    with open(os.path.join(k_here, "three.html"), encoding="utf-8") as stream:
+        text = stream.read()
+    page = os.path.join(work, "page.html")
+    with open(page, "w", encoding="utf-8") as stream:
+        stream.write(text.replace("/THREE/", "/%s/" % three))
+    return page
 
 
 def make_package(openltc, work):
@@ -209,10 +235,30 @@ def judge(name, own, rows, expected, facts):
         "%s differs from openltc render; bounds are %g and %d" % (name, k_mean, k_edges)]
 
 
+def check(program, work, three, scenes, expected, picture):
+    """Draws the scenes by a release of three.js. What is wrong, in words."""
+    jobs = jobs_of(scenes)
+    page = [dict(job, scene=job["scene"] + ".glb") for job in jobs] + [{"name": "example", "page": "/three.html"}]
+    answers = browser.run(program, make_page(work, three), work, page, root=work)
+    if "start" in answers:
+        (skip if answers["start"]["failed"].startswith("no WebGL2") else sys.exit)(answers["start"]["failed"])
+    failures = judge_example(answers.get("example", {"failed": "no answer in time"}), work + "/example.bin", picture)
+    for job in jobs:
+        name, scene = job["name"], job["scene"]
+        answer = answers.get(name, {"failed": "no answer in time"})
+        if "failed" in answer:
+            failures.append("%s: %s" % (name, answer["failed"]))
+        else:
+            rows = read_rows(os.path.join(work, name + ".bin"), size_of(scene), 4, True)
+            failures += judge(name, job["own"], rows, expected[scene], answer)
+    return failures
+
+
 def main():
     parser = argparse.ArgumentParser(description="Compares three.js under our lights with openltc render.")
     parser.add_argument("--openltc", required=True)
     parser.add_argument("--work", required=True, help="folder for what is made on the way")
+    parser.add_argument("--all", action="store_true", help="all scenes by all renderers of all releases of three.js")
     parser.add_argument("--spoil", action="store_true", help="mirror a light, to see the check fail")
     parser.add_argument("--picture", default="", help="docs/images/web.png: the example's page")
     arguments = parser.parse_args()
@@ -222,6 +268,8 @@ def main():
         skip("no chromium (package chromium)")
     os.makedirs(work, exist_ok=True)
     why = npm_packages.install(k_here, work + "/out/web")
+    if arguments.all:
+        why = why or npm_packages.install(k_here + "/releases", work + "/releases")
     if why:
         skip(why)
     make_package(arguments.openltc, work)
@@ -230,20 +278,11 @@ def main():
         write_scene(name, mirrored(lights) if arguments.spoil else lights, work + "/scene.glb", False)
         expected[name] = rendered(arguments.openltc, work + "/scene.glb", work + "/%s.exr" % name, size_of(name))
         write_scene(name, lights, work + "/%s.glb" % name, True)
-    jobs = [{"name": name, "scene": scene + ".glb", "own": own, "size": size_of(scene)}
-            for name, scene, own in k_jobs] + [{"name": "example", "page": "/three.html"}]
-    answers = browser.run(program, os.path.join(k_here, "three.html"), work, jobs, root=work)
-    if "start" in answers:
-        (skip if answers["start"]["failed"].startswith("no WebGL2") else sys.exit)(answers["start"]["failed"])
-    failures = judge_example(answers.get("example", {"failed": "no answer in time"}), work + "/example.bin",
-                             arguments.picture)
-    for name, scene, own in k_jobs:
-        answer = answers.get(name, {"failed": "no answer in time"})
-        if "failed" in answer:
-            failures.append("%s: %s" % (name, answer["failed"]))
-        else:
-            rows = read_rows(os.path.join(work, name + ".bin"), size_of(scene), 4, True)
-            failures += judge(name, own, rows, expected[scene], answer)
+    scenes = {renderer: list(k_scenes) for renderer in k_renderers} if arguments.all else k_renderers
+    failures = check(program, work, k_newest, scenes, expected, arguments.picture)
+    for release in k_releases if arguments.all else ():
+        print(release)
+        failures += check(program, work, "releases/node_modules/" + release, scenes, expected, "")
     for failure in failures:
         print(failure, file=sys.stderr)
     sys.exit(1 if failures else 0)

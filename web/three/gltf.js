@@ -120,7 +120,7 @@ export class GLTFAreaLights {
     if (node.extras?.[own] !== undefined) sources.push([`nodes[${index}].extras.${own}`, () => propertiesOf(node.extras)]);
     const lights = sources.map(([field, read]) => this.makeLight(field, read, node.name)).filter(Boolean);
     if (lights.length === 0) return null;
-    lights[0].add(...lights.slice(1));
+    for (const other of lights.slice(1)) lights[0].add(other);
     return Promise.resolve(lights[0]);
   }
 

@@ -100,8 +100,8 @@ export class LineLight extends AreaLight {
 /** The lights of a scene. */
 export interface SceneLights {
   /**
-   * Prepares materials for the lights that `camera` sees now, before renderer.compile or compileAsync. World
-   * matrices must be right. Before a picture it is called by itself.
+   * Prepares materials for the lights that `camera` sees now, before compile or compileAsync of WebGLRenderer. World
+   * matrices must be right. Before a picture, and by WebGPURenderer always, it is called by itself.
    */
   update(camera: Camera): void;
   /** Ends it: the scene's onBeforeRender and onAfterRender are what they were. */
@@ -109,8 +109,8 @@ export interface SceneLights {
 }
 
 /**
- * Lets the area lights of a scene shine, from the next picture of WebGLRenderer on. Call it once a scene; if you
- * set its onBeforeRender or onAfterRender, do so before.
+ * Lets the area lights of a scene shine, from the next picture on: of WebGLRenderer, or, where it comes from
+ * openltc-three/webgpu, of WebGPURenderer. Call it once a scene; if you set its onBeforeRender or onAfterRender, do so before.
  */
 export function enableAreaLights(scene: Scene): SceneLights;
 

@@ -1,27 +1,45 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// How the lights of a scene get into the materials of WebGLRenderer: before each picture the scene's
-// `onBeforeRender` writes them into a texture, and gives each standard and physical material that it meets the
-// shader for the shapes that are there.
+// How the lights of a scene get into the materials of WebGLRenderer: before each picture each standard and physical
+// material of the scene is given the shader for the shapes that are there.
 
-import {Vector3} from 'three';
-import {formOf, functionsFor, statements} from './glsl.js';
-import {LightRows, shapes} from './rows.js';
+import {glsl} from './glsl.js';
+import {LightRows} from './rows.js';
+import {SceneLights, makeEnable} from './scene_lights.js';
+import {functionsFor} from './shader_text.js';
 
 const pars = '#include <lights_physical_pars_fragment>', begin = '#include <lights_fragment_begin>';
 
-// Uniforms are the same objects for all materials; the scene that is rendered sets their values. Others, which share
+// What follows three.js's own lights in main(). The roughness is the material's own: three.js widens it where normals
+// bend within a pixel, which point lights need.
+const statements = `
+{
+  mat3 to_world = transpose(mat3(viewMatrix));
+  openltc_ShadedLight lit = openltc_shade_layer(to_world, cameraPosition, geometryPosition, geometryNormal,
+      geometryViewDir, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+      roughnessFactor);
+  reflectedLight.directDiffuse += lit.diffuse;
+  reflectedLight.directSpecular += lit.specular;
+#ifdef USE_CLEARCOAT
+  clearcoatSpecularDirect += openltc_shade_layer(to_world, cameraPosition, geometryPosition, geometryClearcoatNormal,
+      geometryViewDir, vec3(0.0), material.clearcoatF0, material.clearcoatF90,
+      material.clearcoatRoughness - geometryRoughness).specular;
+#endif
+}
+`;
+
+// The uniform is the same object for all materials; the scene that is rendered sets its value. Others, which share
 // its materials, find no lights.
-const none = new LightRows(), uniforms = {openltc_elements: {value: none.texture}, openltc_origin: {value: new Vector3()}};
-for (const shape of shapes) uniforms[`openltc_range_${shape}`] = {value: none.ranges[shape]};
+const none = new LightRows(), uniform = {value: none.texture};
 
 const shadersOf = new Map(); // by forms of shapes, as words, the text before main()
 const formsOf = new WeakMap(); // by material, the forms that it was last compiled for
-const scenes = new WeakMap();
 
 function functionsOf(forms) {
-  if (!shadersOf.has(forms)) shadersOf.set(forms, functionsFor(forms.split(' ')));
+  if (!shadersOf.has(forms))
+    shadersOf.set(forms, `uniform highp sampler2D openltc_elements;\n${glsl.element('openltc_elements')}` +
+                         functionsFor(forms.split(' '), glsl));
   return shadersOf.get(forms);
 }
 
@@ -35,7 +53,7 @@ function take(material) {
     for (const text of [pars, begin])
       if (!shader.fragmentShader.includes(text))
         return console.warn(`openltc-three: the shader of material "${material.name}" has no ${text}: no area lights`);
-    Object.assign(shader.uniforms, uniforms);
+    shader.uniforms.openltc_elements = uniform;
     shader.fragmentShader = shader.fragmentShader.replace(pars, () => `${pars}\n${functionsOf(forms)}`)
         .replace(begin, () => begin + statements);
   };
@@ -54,38 +72,21 @@ function prepare(material, forms) {
   material.needsUpdate = true;
 }
 
-class SceneLights {
-  constructor(scene) {
-    this.scene = scene;
-    this.rows = new LightRows();
-    this.origin = new Vector3();
-    this.outer = []; // values of the uniforms of pictures that are being drawn, while this one is
-    const {onBeforeRender, onAfterRender} = scene;
-    this.hooks = {onBeforeRender, onAfterRender};
-    scene.onBeforeRender = (...values) => {
-      onBeforeRender.apply(scene, values);
-      this.outer.push(Object.values(uniforms).map(uniform => uniform.value));
-      this.update(values[2]);
-    };
-    scene.onAfterRender = (...values) => {
-      this.outer.pop()?.forEach((value, i) => Object.values(uniforms)[i].value = value);
-      onAfterRender.apply(scene, values);
-    };
+class WebGLSceneLights extends SceneLights {
+  outer = []; // textures of pictures that are being drawn, while this one is
+
+  begin(renderer, camera) {
+    this.outer.push(uniform.value);
+    this.update(camera);
   }
 
-  /// Looks at the scene as `camera` sees it. World matrices must be right.
+  end() {
+    if (this.outer.length) uniform.value = this.outer.pop();
+  }
+
   update(camera) {
-    const lights = [];
-    this.scene.traverseVisible(object => {
-      if (object.isAreaLight && object.layers.test(camera.layers)) lights.push(object);
-    });
-    this.origin.setFromMatrixPosition(camera.matrixWorld);
-    this.rows.write(lights, this.origin);
-    uniforms.openltc_elements.value = this.rows.texture;
-    uniforms.openltc_origin.value = this.origin;
-    for (const shape of shapes) uniforms[`openltc_range_${shape}`].value = this.rows.ranges[shape];
-    const forms = shapes.map(shape => formOf(shape, lights.filter(light => light.shape === shape).length))
-        .filter(Boolean).join(' ');
+    const forms = this.collect(camera);
+    uniform.value = this.rows.texture;
     this.prepareMaterials(forms);
   }
 
@@ -96,17 +97,12 @@ class SceneLights {
   }
 
   dispose() {
-    Object.assign(this.scene, this.hooks);
+    super.dispose();
     this.prepareMaterials('');
-    this.rows.dispose();
-    scenes.delete(this.scene);
   }
 }
 
 /// Lets the area lights of a scene shine, from the next picture on, for WebGLRenderer. Call it once a scene, after
 /// you have set its onBeforeRender and onAfterRender, if you have. Returns an object: update(camera) prepares
 /// materials for renderer.compile or compileAsync; dispose() ends it.
-export function enableAreaLights(scene) {
-  if (!scenes.has(scene)) scenes.set(scene, new SceneLights(scene));
-  return scenes.get(scene);
-}
+export const enableAreaLights = makeEnable(WebGLSceneLights);

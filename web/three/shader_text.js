@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The shader text that a material gets, for the shapes that a scene has, in any language with braces.
+
+import {heads, originIndex} from './rows.js';
+
+// A light of each shape; i is its head.
+const element = k => `openltc_element(i + ${k})`;
+const halves = `${element(1)}.xyz, ${element(2)}.xyz, ${element(3)}.xyz, ${element(1)}.w`;
+const calls = {
+  quad: `openltc_shade_quad_parts(surface, openltc_make_quad(${halves}))`,
+  polygon: 'openltc_shade_polygon_parts(surface, i + 1)',
+  ellipse: `openltc_shade_ellipse_parts(surface, openltc_make_ellipse(${halves}))`,
+  sphere: `openltc_shade_sphere_parts(surface, openltc_make_sphere(${element(1)}.xyz, ${element(1)}.w))`,
+  tube: `openltc_shade_tube_parts(surface,
+        openltc_make_tube(${element(1)}.xyz, ${element(2)}.xyz, ${element(1)}.w, ${element(2)}.w))`,
+  line: `openltc_shade_line_parts(surface, openltc_make_line(${element(1)}.xyz, ${element(2)}.xyz))`,
+};
+
+// `text` and what it needs of the definitions, those first.
+function withDefinitions(text, definitions) {
+  const needed = new Set(), names = new Set(definitions.map(([name]) => name));
+  const visit = part => {
+    for (const [name] of part.matchAll(/\bopenltc_\w+/g))
+      if (names.has(name) && !needed.has(name)) {
+        needed.add(name);
+        definitions.filter(([other]) => other === name).forEach(([, own]) => visit(own));
+      }
+  };
+  visit(text);
+  return definitions.filter(([name]) => needed.has(name)).map(([, own]) => own).join('\n') + '\n' + text;
+}
+
+// Round shapes are written out for so many lights: SwiftShader, which compiles one in a second, takes minutes for
+// one in a loop.
+const round = ['ellipse', 'sphere', 'tube'], mostCopies = 4;
+
+/// What a shader holds for `count` lights of a shape, beside the number itself: as a word, '' for none.
+export function formOf(shape, count) {
+  if (count === 0) return '';
+  return round.includes(shape) && count <= mostCopies ? `${shape}:${count}` : shape;
+}
+
+// The sum over all lights of a form.
+function sumOf(form, {int}) {
+  const [shape, copies] = form.split(':');
+  const body = `    head = openltc_element(i);
+    sum = openltc_add_light(sum, ${calls[shape]}, head.rgb);
+    i += ${int}(head.w);
+`;
+  const lights = copies ? `  if (i < end) {\n${body}  }\n`.repeat(copies) : `  while (i < end) {\n${body}  }\n`;
+  return `  head = openltc_element(${heads[shape]});
+  i = ${int}(head.x);
+  end = ${int}(head.y);
+${lights}`;
+}
+
+/// Functions for the forms of a scene's shapes, in the words of a language (glsl.js). They call
+/// `vec4 openltc_element(int i)`, element i of LightRows, which stands before them.
+///
+/// openltc_shade_layer is the light of a layer of the material. Position, normal and the direction to the eye are in
+/// the axes of three.js's view, to_world turns them; `eye` is the camera's place in the world.
+export function functionsFor(forms, words) {
+  const {int, real, vec3, vec4, mat3, definitions, fn, variable} = words, light = 'openltc_ShadedLight';
+  const zero = `${light}(${vec3}(0.0), ${vec3}(0.0))`;
+  return fn(vec4, 'openltc_polygon_data', [[int, 'i']], '  return openltc_element(i);\n') + withDefinitions([
+    fn(light, 'openltc_add_light', [[light, 'sum'], [light, 'light'], [vec3, 'radiance']],
+       `  return ${light}(sum.diffuse + radiance * light.diffuse, sum.specular + radiance * light.specular);\n`),
+    fn(light, 'openltc_shade_lights', [['openltc_Surface', 'surface']],
+       variable(light, 'sum', zero) + variable(int, 'i', '0') + variable(int, 'end', '0') +
+       variable(vec4, 'head', `${vec4}(0.0)`) + forms.map(form => sumOf(form, words)).join('') + '  return sum;\n'),
+    fn(light, 'openltc_shade_layer',
+       [[mat3, 'to_world'], [vec3, 'eye'], [vec3, 'position'], [vec3, 'normal'], [vec3, 'view'], [vec3, 'albedo'],
+        [vec3, 'f0'], [real, 'f90'], [real, 'roughness']],
+       `  return openltc_shade_lights(openltc_surface_at(
+      to_world * position + (eye - openltc_element(${originIndex}).xyz),
+      to_world * normal, to_world * view, albedo, f0, ${vec3}(f90), roughness));
+`),
+  ].join('\n'), definitions);
+}
