@@ -69,6 +69,8 @@ k_scenes = {
     **{"tube_" + caps: [light("tube", k_above, k_middle, 0, length=0.6, radius=0.08, caps=caps, **{quantity: value})]
        for caps, quantity, value in (("round", "intensity_candela", 0.3), ("flat", "intensity_candela", 0.3),
                                      ("none", "flux_lumens", 3))},
+    "picture": [light("rect", k_above, k_middle, 4, (1.0, 1.0, 1.0), width=0.9, height=0.5, texture="picture.png"),
+                light("disk", (0.8, 0.4, 0.4), k_middle, 4, radius=0.3, two_sided=True, texture="picture.png")],
     # Other forms of the file; scales of nodes, of which the largest counts.
     "gltf": [(k_above, facing(k_above, k_middle), {"scale": [1, 2, 1], "extensions": {"EXT_lights_area": {"light": 0}}}),
              ((0.9, 0.8, 0.2), facing((0.9, 0.8, 0.2), k_middle), {"extensions": {"EXT_lights_area": {"light": 1}}}),
@@ -111,7 +113,7 @@ def coat(material, drawn):
 
 k_materials = {"physical": physical, "coat": coat}
 # Renderers: three.js's WebGLRenderer, and its WebGPURenderer on WebGPU and on WebGL 2; and what they draw in a hurry.
-k_renderers = {"webgl": list(k_scenes), "webgpu": ["rect", "gltf", "coat"], "webgpu_gl": ["polygon"]}
+k_renderers = {"webgl": list(k_scenes), "webgpu": ["rect", "gltf", "coat", "picture"], "webgpu_gl": ["polygon"]}
 # Folders of three.js: the newest is that of `make web`.
 k_newest = "out/web/node_modules/three"
 k_releases = ("three-186", "three-182")
@@ -120,6 +122,18 @@ k_releases = ("three-186", "three-182")
 def size_of(scene):
     """Width and height; the software driver takes seconds for many lights."""
     return {"rect": (480, 320), "many": (180, 120)}.get(scene, (240, 160))
+
+
+def write_picture(path):
+    """Of four colours, each brighter to its own side, in a square that is not as many pixels as a texture has."""
+    def pixel(x, y):
+        color = ((240, 60, 20), (30, 200, 40), (20, 40, 230), (220, 220, 200))[2 * (y > 0.6) + (x > 0.4)]
+        return bytes(int(c * (0.3 + 0.7 * x * (1 - 0.5 * y))) for c in color)
+
+    columns, rows = 50, 38
+    with open(path, "wb") as stream:
+        stream.write(glb.png(columns, rows, 3, (b"".join(pixel(x / columns, y / rows) for x in range(columns))
+                                                for y in range(rows))))
 
 
 def write_scene(name, lights, path, drawn):
@@ -273,6 +287,7 @@ def main():
     if why:
         skip(why)
     make_package(arguments.openltc, work)
+    write_picture(work + "/picture.png")
     expected = {}
     for name, lights in k_scenes.items():
         write_scene(name, mirrored(lights) if arguments.spoil else lights, work + "/scene.glb", False)

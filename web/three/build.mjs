@@ -43,7 +43,7 @@ function definitions(text) {
 function shaders(openltc, language) {
   const folder = mkdtempSync(join(tmpdir(), 'openltc-three-'));
   try {
-    execFileSync(openltc, ['shaders', '--language', language, '--lean', '--shapes', 'quad,polygon,disk,sphere,tube,line',
+    execFileSync(openltc, ['shaders', '--language', language, '--lean', '--shapes', 'quad,polygon,disk,sphere,tube,line,textured',
                            '--prefix', prefix, '--quiet', '-o', folder]);
     const [name] = readdirSync(folder);
     return definitions(code(readFileSync(join(folder, name), 'utf8')));

@@ -11,4 +11,7 @@ export const glsl = {
   variable: (type, name, value) => `  ${type} ${name} = ${value};\n`,
   /// openltc_element reads a texture of this name.
   element: texture => `vec4 openltc_element(int i) { return texelFetch(${texture}, ivec2(i & 255, i >> 8), 0); }\n`,
+  /// A texture and how to look at it, as parameters and as an argument.
+  pictureParameters: name => [['sampler2D', name]],
+  pictureArgument: name => name,
 };

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-import type {BufferGeometry, Camera, ColorRepresentation, Light, LineBasicMaterial, LineSegments, Scene, Vector2} from 'three';
+import type {BufferGeometry, Camera, ColorRepresentation, Light, LineBasicMaterial, LineSegments, Scene, Texture, Vector2} from 'three';
 
 /** A corner of an outline: metres, in the light's xy plane. */
 export type Corner = Vector2 | readonly [number, number];
@@ -30,8 +30,19 @@ export abstract class PlanarLight extends SurfaceLight {
   twoSided: boolean;
 }
 
+/** A light in its plane that can show a picture. */
+export abstract class FramedLight extends PlanarLight {
+  /**
+   * Fills the rectangle around the light, upright for who looks at the emitting side, and multiplies the luminance,
+   * which is that of white. Its alpha and its uv transform do not count. A light whose texture has no image yet
+   * shines white. After a change set the texture's needsUpdate. Of a scene four lights have pictures, others the
+   * mean of theirs.
+   */
+  texture: Texture | null;
+}
+
 /** A rectangle, as three's RectAreaLight. */
-export class RectLight extends PlanarLight {
+export class RectLight extends FramedLight {
   /** Nits; metres, 1 by default. */
   constructor(color?: ColorRepresentation, luminance?: number, width?: number, height?: number, twoSided?: boolean);
   width: number;
@@ -53,7 +64,7 @@ export class PolygonLight extends PlanarLight {
 }
 
 /** An ellipse, exact. */
-export class EllipseLight extends PlanarLight {
+export class EllipseLight extends FramedLight {
   /** Nits; metres, 0.5 by default. */
   constructor(color?: ColorRepresentation, luminance?: number, radiusX?: number, radiusY?: number, twoSided?: boolean);
   radiusX: number;
@@ -61,7 +72,7 @@ export class EllipseLight extends PlanarLight {
 }
 
 /** A disk, exact. */
-export class DiskLight extends PlanarLight {
+export class DiskLight extends FramedLight {
   /** Nits; metres, 0.5 by default. */
   constructor(color?: ColorRepresentation, luminance?: number, radius?: number, twoSided?: boolean);
   radius: number;

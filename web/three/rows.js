@@ -13,7 +13,7 @@ import {DataTexture, FloatType, NearestFilter, RGBAFormat} from 'three';
 const rowLength = 256; // shaders take an index apart by 255 and 8
 
 /// In the order in which they stand in the texture.
-export const shapes = ['quad', 'polygon', 'ellipse', 'sphere', 'tube', 'line'];
+export const shapes = ['quad', 'polygon', 'ellipse', 'sphere', 'tube', 'line', 'quad_picture', 'ellipse_picture'];
 
 /// The element that says where the lights of a shape are, and the one that has the origin.
 export const heads = Object.fromEntries(shapes.map((shape, i) => [shape, i])), originIndex = shapes.length;
@@ -31,16 +31,15 @@ export class LightRows {
     this.rows = rows;
   }
 
-  /// Writes the lights, as seen from `origin`, a Vector3.
+  /// Writes the lights, each with its shape and a factor of its colour, as seen from `origin`, a Vector3.
   write(lights, origin) {
     const elements = Array(shapes.length + 1);
     for (const shape of shapes) {
       const begin = elements.length;
-      for (const light of lights)
-        if (light.shape === shape) {
-          const frame = light.frame(origin), own = light.elements(frame), radiance = light.radiance(frame);
-          elements.push([...light.color.toArray().map(c => c * radiance), own.length + 1], ...own);
-        }
+      for (const {light, factor} of lights.filter(one => one.shape === shape)) {
+        const frame = light.frame(origin), own = light.elements(frame), radiance = light.radiance(frame);
+        elements.push([...light.color.toArray().map((c, k) => c * factor[k] * radiance), own.length + 1], ...own);
+      }
       elements[heads[shape]] = [begin, elements.length, 0, 0];
     }
     elements[originIndex] = [...origin.toArray(), 0];

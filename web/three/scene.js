@@ -7,7 +7,7 @@
 import {glsl} from './glsl.js';
 import {LightRows} from './rows.js';
 import {SceneLights, makeEnable} from './scene_lights.js';
-import {functionsFor} from './shader_text.js';
+import {functionsFor, picturesOf} from './shader_text.js';
 
 const pars = '#include <lights_physical_pars_fragment>', begin = '#include <lights_fragment_begin>';
 
@@ -29,17 +29,27 @@ const statements = `
 }
 `;
 
-// The uniform is the same object for all materials; the scene that is rendered sets its value. Others, which share
+// Uniforms are the same objects for all materials; the scene that is rendered sets their values. Others, which share
 // its materials, find no lights.
-const none = new LightRows(), uniform = {value: none.texture};
+const none = new LightRows(), uniforms = {openltc_elements: {value: none.texture}}, pictureNames = [];
+
+function setUniforms(elements, pictures) {
+  uniforms.openltc_elements.value = elements;
+  pictures.forEach((picture, k) => {
+    pictureNames[k] = `openltc_picture_${k}`;
+    (uniforms[pictureNames[k]] ??= {value: null}).value = picture;
+  });
+}
 
 const shadersOf = new Map(); // by forms of shapes, as words, the text before main()
 const formsOf = new WeakMap(); // by material, the forms that it was last compiled for
 
 function functionsOf(forms) {
-  if (!shadersOf.has(forms))
-    shadersOf.set(forms, `uniform highp sampler2D openltc_elements;\n${glsl.element('openltc_elements')}` +
-                         functionsFor(forms.split(' '), glsl));
+  if (!shadersOf.has(forms)) {
+    const list = forms.split(' '), pictures = pictureNames.slice(0, picturesOf(list));
+    shadersOf.set(forms, ['openltc_elements', ...pictures].map(name => `uniform highp sampler2D ${name};\n`).join('') +
+                         glsl.element('openltc_elements') + functionsFor(list, glsl, pictures));
+  }
   return shadersOf.get(forms);
 }
 
@@ -53,7 +63,7 @@ function take(material) {
     for (const text of [pars, begin])
       if (!shader.fragmentShader.includes(text))
         return console.warn(`openltc-three: the shader of material "${material.name}" has no ${text}: no area lights`);
-    shader.uniforms.openltc_elements = uniform;
+    Object.assign(shader.uniforms, uniforms);
     shader.fragmentShader = shader.fragmentShader.replace(pars, () => `${pars}\n${functionsOf(forms)}`)
         .replace(begin, () => begin + statements);
   };
@@ -76,17 +86,17 @@ class WebGLSceneLights extends SceneLights {
   outer = []; // textures of pictures that are being drawn, while this one is
 
   begin(renderer, camera) {
-    this.outer.push(uniform.value);
+    this.outer.push(Object.values(uniforms).map(uniform => uniform.value));
     this.update(camera);
   }
 
   end() {
-    if (this.outer.length) uniform.value = this.outer.pop();
+    if (this.outer.length) setUniforms(...(([elements, ...pictures]) => [elements, pictures])(this.outer.pop()));
   }
 
   update(camera) {
     const forms = this.collect(camera);
-    uniform.value = this.rows.texture;
+    setUniforms(this.rows.texture, this.pictures);
     this.prepareMaterials(forms);
   }
 

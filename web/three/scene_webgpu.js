@@ -15,17 +15,16 @@ const {cameraPosition, cameraViewMatrix, clearcoatNormalView, diffuseContributio
        materialClearcoatRoughness, materialRoughness, normalView, positionView, positionViewDirection,
        specularColorBlended, specularF90, texture, transpose, vec3, wgslFn} = TSL;
 
-// The functions for the forms of a scene's shapes, and the texture that they read.
+// The functions for the forms of a scene's shapes, and the textures that they read.
 class FunctionsNode extends CodeNode {
-  constructor(forms, words, map) {
+  constructor(forms, words, map, pictures) {
     super();
-    this.forms = forms;
-    this.words = words;
-    this.map = map;
+    Object.assign(this, {forms, words, map, pictures});
   }
 
   generate(builder) {
-    this.code = this.words.element(this.map.build(builder, 'texture')) + functionsFor(this.forms, this.words);
+    const [map, ...pictures] = [this.map, ...this.pictures].map(one => one.build(builder, 'texture'));
+    this.code = this.words.element(map) + functionsFor(this.forms, this.words, pictures);
     return super.generate(builder);
   }
 }
@@ -45,10 +44,16 @@ function layerFunction(words, native, functions) {
 class AreaLightsNode extends LightingNode {
   static get type() { return 'OpenLTCAreaLightsNode'; }
 
-  constructor(forms, map) {
+  constructor(forms, map, pictures) {
     super();
     this.forms = forms.split(' ');
     this.map = texture(map);
+    this.pictures = pictures.map(picture => texture(picture));
+  }
+
+  setTextures(map, pictures) {
+    this.map.value = map;
+    pictures.forEach((picture, k) => this.pictures[k].value = picture);
   }
 
   setup(builder) {
@@ -56,7 +61,7 @@ class AreaLightsNode extends LightingNode {
     if (!(lightingModel instanceof PhysicalLightingModel)) return;
     const words = builder.renderer.backend.isWebGPUBackend ? wgsl : glsl;
     const layer = layerFunction(words, words === wgsl ? wgslFn : glslFn,
-                                new FunctionsNode(this.forms, words, this.map));
+                                new FunctionsNode(this.forms, words, this.map, this.pictures));
     const shared = {to_world: transpose(mat3(cameraViewMatrix)), eye: cameraPosition, position: positionView,
                     view: positionViewDirection};
     const own = (node, otherwise) => node ? float(node) : otherwise; // not what three.js widens for point lights
@@ -85,9 +90,9 @@ class WebGPUSceneLights extends SceneLights {
   end() { if (this.depth > 0) --this.depth; }
 
   update(camera) {
-    const forms = this.collect(camera), {texture} = this.rows;
-    if (forms !== this.forms) this.node = forms ? new AreaLightsNode(forms, texture) : null;
-    else if (this.node) this.node.map.value = texture;
+    const forms = this.collect(camera), textures = [this.rows.texture, this.pictures];
+    if (forms !== this.forms) this.node = forms ? new AreaLightsNode(forms, ...textures) : null;
+    else this.node?.setTextures(...textures);
     this.forms = forms;
   }
 

@@ -11,4 +11,6 @@ export const wgsl = {
       `fn ${name}(${parameters.map(([of, p]) => `${p}: ${of}`).join(', ')}) -> ${type} {\n${body}}\n`,
   variable: (type, name, value) => `  var ${name}: ${type} = ${value};\n`,
   element: texture => `fn openltc_element(i: i32) -> vec4f { return textureLoad(${texture}, vec2i(i & 255, i >> 8u), 0); }\n`,
+  pictureParameters: name => [['texture_2d<f32>', name], ['sampler', `${name}_sampler`]],
+  pictureArgument: name => `${name}, ${name}_sampler`,
 };
