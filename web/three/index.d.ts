@@ -145,3 +145,14 @@ export class GLTFAreaLights {
   constructor(parser: object);
   readonly name: string;
 }
+
+/**
+ * A plugin of GLTFExporter, which writes lights as GLTFAreaLights and `openltc render` read them:
+ * `exporter.register(writer => new GLTFAreaLightsExport(writer))`. Rectangles and disks of one side become
+ * EXT_lights_area, others openltc_light in the node's extras. A light's picture is not part of the file, which names it
+ * as the texture is named.
+ */
+export class GLTFAreaLightsExport {
+  constructor(writer: object);
+  readonly name: string;
+}
