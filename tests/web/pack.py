@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The OpenLTC authors
 # SPDX-License-Identifier: MIT
-"""Packs the npm package of web/three, installs it into an empty project, and imports both of its entries in Node.
+"""Packs the npm package of web/three, installs it into an empty project, and imports its entries in Node.
 
     pack.py --openltc PROGRAM --work DIR [--types]
 
@@ -38,27 +38,33 @@ const declared = entry => {
   return [...new Set([...own, ...others])].sort();
 };
 const three = await import('three');
-for (const [entry, file] of [['openltc-three', 'index'], ['openltc-three/webgpu', 'webgpu']]) {
-  const names = await import(entry), found = Object.keys(names).sort();
+const entries = {index: 'openltc-three', webgpu: 'openltc-three/webgpu', shadows: 'openltc-three/shadows'};
+for (const file of process.argv.slice(2)) {
+  const names = await import(entries[file]), found = Object.keys(names).sort();
   if (found.join() !== declared(file).join())
-    throw new Error(`${entry} exports ${found}; its types declare ${declared(file)}`);
+    throw new Error(`${entries[file]} exports ${found}; its types declare ${declared(file)}`);
+  if (file === 'shadows') {
+    names.enableAreaShadows(new three.Scene()).dispose();
+    continue;
+  }
   const light = new names.RectLight(0xffffff, 1, 2, 3);
   light.power = 6 * Math.PI;
   if (!(light instanceof three.Light) || Math.abs(light.luminance - 1) > 1e-12)
-    throw new Error(`${entry}: a RectLight is no light of the three.js beside it`);
+    throw new Error(`${entries[file]}: a RectLight is no light of the three.js beside it`);
   names.enableAreaLights(new three.Scene().add(light)).dispose();
 }
-console.log('both entries: ' + Object.keys(await import('openltc-three')).join(' '));
 """
 
 k_program = """
 import {Scene, type Light} from 'three';
 import * as webgl from 'openltc-three';
 import * as webgpu from 'openltc-three/webgpu';
+import {enableAreaShadows} from 'openltc-three/shadows';
 const lights: Light[] = [new webgl.RectLight(0xffffff, 1, 2, 3, true), new webgpu.TubeLight('red', 1, 1, 0.1, 'flat'),
                          new webgl.PolygonLight(0xffffff, 1, [[0, 0], [1, 0], [0, 1]])];
 const scene = new Scene().add(...lights, new webgl.AreaLightHelper(new webgl.LineLight()));
 for (const {enableAreaLights} of [webgl, webgpu]) enableAreaLights(scene).dispose();
+if (enableAreaShadows(scene, {frames: 64}).frame === 0) lights[0].castShadow = true;
 // @ts-expect-error: no such caps
 new webgl.TubeLight('red', 1, 1, 0.1, 'square');
 """
@@ -86,19 +92,20 @@ def pack(openltc, work):
         for name in entry.values():
             if name[2:] not in files:
                 sys.exit("package.json names %s, which the package does not have" % name)
-    if "dependencies" in description or list(description["peerDependencies"]) != ["three"]:
+    needed = set(description["peerDependencies"]) - set(description["peerDependenciesMeta"])
+    if "dependencies" in description or needed != {"three"}:
         sys.exit("three must be the one package that is needed, and a peer")
     print("%s: %d files, %d kB packed" % (packed["filename"], len(files), packed["size"] // 1000))
     return os.path.join(work, packed["filename"])
 
 
-def install(archive, three, project, *others):
-    """An empty project with the package, and three.js where the project put it."""
-    shutil.rmtree(project, ignore_errors=True)
-    os.makedirs(project)
-    write(project + "/package.json", json.dumps({"name": "empty", "private": True, "type": "module"}))
+def install(project, *packages):
+    """Into a project without anything of its own."""
+    if not os.path.exists(project):
+        os.makedirs(project)
+        write(project + "/package.json", json.dumps({"name": "empty", "private": True, "type": "module"}))
     run(shutil.which("npm"), "install", "--prefix", project, "--offline", "--ignore-scripts", "--no-audit", "--no-fund",
-        archive, three, *others)
+        *packages)
     if os.path.isdir(project + "/node_modules/openltc-three/node_modules"):
         sys.exit("the package brought a three.js of its own")
     run(shutil.which("npm"), "ls", "--prefix", project)  # a peer that is missing or too old fails
@@ -116,10 +123,14 @@ def main():
         why = why or npm_packages.install(k_here + "/releases", work + "/releases")
     if why:
         skip(why)
-    project = work + "/project"
-    install(pack(arguments.openltc, work), work + "/out/web/node_modules/three", project)
+    project, modules = work + "/project", work + "/out/web/node_modules/"
+    shutil.rmtree(project, ignore_errors=True)
+    install(project, pack(arguments.openltc, work), modules + "three")
     write(project + "/names.mjs", k_names)
-    print(run(shutil.which("node"), project + "/names.mjs").strip())
+    run(shutil.which("node"), project + "/names.mjs", "index", "webgpu")
+    install(project, modules + "three-mesh-bvh")
+    run(shutil.which("node"), project + "/names.mjs", "shadows")
+    print("installed beside three.js alone, two entries; with three-mesh-bvh, the third")
     if arguments.types:
         modules = work + "/releases/node_modules"
         shutil.copytree(modules + "/@types", project + "/node_modules/@types")

@@ -35,7 +35,7 @@ from demo_scene import glb
 from demo_scene.parts import facing
 from engines import read_exr, read_rows, run, skip
 
-k_example = "docs/examples/web/three.html"
+k_example, k_react = "docs/examples/web/three.html", "docs/examples/web/react.jsx"
 
 # Steps of 255: in the mean, without the pixels in which the two draw another surface. Measured: 0.05 at most.
 k_mean = 0.1
@@ -46,6 +46,10 @@ k_edge, k_edges = 8, 60
 # pixels. Measured: 0.00001.
 k_rewritten = ("gltf", "picture", "polygon", "ellipse", "tube_flat", "line")
 k_rewritten_mean = 0.001
+# Which scenes are drawn with shadows, after how many pictures, in what size, and how far they may be off by FLIP, and
+# by which share of what they would be off without. Measured: 0.006 and 0.021; a fifth and a fourth.
+k_shaded, k_shaded_all = {"rect": 16}, ("polygon", "ellipse", "sphere", "tube_round", "line", "gltf", "picture")
+k_shaded_size, k_all_frames, k_flip, k_flip_share = (168, 112), 32, 0.03, 0.35
 # What three's own rectangle must be off by at least, or the measure sees nothing. Measured: 6.
 k_theirs = 1.0
 
@@ -185,6 +189,29 @@ def judge_rewritten(openltc, work, scene, expected, answer):
         "%s rewritten is another scene; the bound is %g" % (scene, k_rewritten_mean)]
 
 
+def write_png(path, rows, exposure):
+    with open(path, "wb") as stream:
+        stream.write(glb.png(len(rows[0]) // 3, len(rows), 3,
+                             (bytes(round(shown(x, exposure)) for x in row) for row in rows)))
+
+
+def judge_shaded(openltc, work, scene, frames, answer):
+    """What is wrong with a picture with shadows, in words. FLIP is of the displayed pictures."""
+    if "failed" in answer:
+        return ["%s with shadows: %s" % (scene, answer["failed"])]
+    rows = read_rows(os.path.join(work, "shaded_%s.bin" % scene), k_shaded_size, 4, True)
+    plain, expected = (rendered(openltc, "%s/%s.glb" % (work, scene), work + "/shaded.exr", k_shaded_size, samples)
+                       for samples in (0, 256))
+    paths = [os.path.join(work, "shaded_%s%s.png" % (scene, name)) for name in ("", "_plain", "_expected")]
+    for path, picture in zip(paths, (rows, plain, expected)):
+        write_png(path, picture, exposure_of(expected))
+    flip, without = (json.loads(run(openltc, "compare", "--json", path, paths[2]))["flip"]["mean"] for path in paths[:2])
+    print("%s with shadows: FLIP %.4f after %d pictures, %.4f without; %.0f ms for the first, %.0f for each of the others"
+          % (scene, flip, frames, without, answer["ms"], answer["rest"] / (frames - 1)), flush=True)
+    bound = min(k_flip, k_flip_share * without)
+    return [] if flip <= bound else ["%s with shadows differs from openltc render; the bound is %g" % (scene, bound)]
+
+
 def make_page(work, three):
     """The page for that folder of three.js below `work`."""
     with open(os.path.join(k_here, "three.html"), encoding="utf-8") as stream:
@@ -202,11 +229,25 @@ def make_package(openltc, work):
     shutil.copyfile(os.path.join(k_root, k_example), work + "/three.html")
 
 
-def judge_example(facts, pixels, picture):
-    """What is wrong with the example's page, in words. Writes it to `picture`, unless that is empty."""
+def make_react_page(work):
+    """The example for React as a page of one script, by a bundler."""
+    modules = work + "/releases/node_modules/"
+    run(modules + ".bin/esbuild", os.path.join(k_root, k_react), "--bundle", "--minify", "--format=esm", "--jsx=automatic",
+        "--alias:openltc-three=%s/out/web/openltc-three" % work, "--alias:three=" + modules + "three",
+        "--alias:three-mesh-bvh=%s/out/web/node_modules/three-mesh-bvh" % work,
+        *("--alias:%s=%s%s" % (name, modules, name) for name in ("react", "react-dom", "@react-three/fiber")),
+        "--outfile=%s/react.js" % work)
+    with open(work + "/react.html", "w", encoding="utf-8") as stream:
+        stream.write("<!doctype html><meta charset='utf-8'><title>OpenLTC in React</title>\n"
+                     "<style>html, body, main { margin: 0; height: 100%; background: #000; }</style><main></main>\n"
+                     "<script type='module' src='react.js'></script>\n")
+
+
+def judge_example(name, facts, pixels, picture):
+    """What is wrong with an example's page, in words. Writes it to `picture`, unless that is empty."""
     if "failed" in facts:
-        return ["%s: %s" % (k_example, facts["failed"])]
-    print("%s: %.0f of 100 pixels are lit" % (k_example, 100 * facts["lit"]))
+        return ["%s: %s" % (name, facts["failed"])]
+    print("%s: %.0f of 100 pixels are lit" % (name, 100 * facts["lit"]))
     if picture:
         with open(pixels, "rb") as stream:
             data = stream.read()
@@ -215,12 +256,12 @@ def judge_example(facts, pixels, picture):
             out.write(glb.png(facts["width"], facts["height"], 3, (
                 bytes(x for k in range(y, y + row, 4) for x in data[k:k + 3]) for y in range(0, len(data), row))))
     # Without area lights only the lamps' meshes are seen, a thirtieth of it.
-    return [] if facts["lit"] > 0.3 else ["%s: its picture is dark" % k_example]
+    return [] if facts["lit"] > 0.3 else ["%s: its picture is dark" % name]
 
 
-def rendered(openltc, scene, picture, size):
+def rendered(openltc, scene, picture, size, shadow_samples=0):
     run(openltc, "render", scene, "--lobes", "polynomial", "--specular", "lobe", "--samples", "1", "--filter", "none",
-        "--shadow-samples", "0", "--size", "%dx%d" % size, "-o", picture)
+        "--shadow-samples", str(shadow_samples), "--size", "%dx%d" % size, "-o", picture)
     return read_exr(picture)
 
 
@@ -230,10 +271,15 @@ def shown(radiance, exposure):
     return 255 * (12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055)
 
 
+def exposure_of(rows):
+    """By which 2 in 100 are white."""
+    values = sorted(x for row in rows for x in row)
+    return 1 / values[int(0.98 * len(values))]
+
+
 def compare(rows, expected):
     """Mean difference in steps of 255, that without edges, how many pixels those are, how many are lit."""
-    values = sorted(x for row in expected for x in row)
-    exposure = 1 / values[int(0.98 * len(values))]  # 2 in 100 are white
+    exposure = exposure_of(expected)
     whole, rest, edges, lit = 0.0, 0.0, 0, 0
     for row, right in zip(rows, expected):
         a, b = ([shown(x, exposure) for x in one] for one in (row, right))
@@ -267,16 +313,21 @@ def judge(name, own, rows, expected, facts):
         "%s differs from openltc render; bounds are %g and %d" % (name, k_mean, k_edges)]
 
 
-def check(program, openltc, work, three, scenes, expected, picture):
+def check(program, openltc, work, three, pages, scenes, shaded, expected, picture):
     """Draws the scenes by a release of three.js. What is wrong, in words."""
     jobs, rewrites = jobs_of(scenes), {"rewritten_" + name: name for name in k_rewritten}
-    page = ([{"name": name, "task": "rewrite", "file": scene + ".glb"} for name, scene in rewrites.items()] + jobs
-            + [{"name": "example", "task": "open", "page": "/three.html"}])
-    answers = browser.run(program, make_page(work, three), work, page, root=work)
+    posts = ([{"name": name, "task": "rewrite", "file": scene + ".glb"} for name, scene in rewrites.items()] + jobs
+            + [dict(name="shaded_" + scene, task="shade", file=scene + ".glb", frames=frames, size=k_shaded_size)
+               for scene, frames in shaded.items()]
+            + [{"name": "example_" + page, "task": "open", "page": "/%s.html" % page} for page in pages])
+    answers = browser.run(program, make_page(work, three), work, posts, root=work, timeout=900)
     if "start" in answers:
         (skip if answers["start"]["failed"].startswith("no WebGL2") else sys.exit)(answers["start"]["failed"])
     late = {"failed": "no answer in time"}
-    failures = judge_example(answers.get("example", late), work + "/example.bin", picture)
+    failures = []
+    for page, source in pages.items():
+        pixels = work + "/example_%s.bin" % page
+        failures += judge_example(source, answers.get("example_" + page, late), pixels, picture if page == "three" else "")
     for job in jobs:
         name, scene = job["name"], job["scene"]
         answer = answers.get(name, late)
@@ -287,6 +338,8 @@ def check(program, openltc, work, three, scenes, expected, picture):
             failures += judge(name, job["own"], rows, expected[scene], answer)
     for name, scene in rewrites.items():
         failures += judge_rewritten(openltc, work, scene, expected[scene], answers.get(name, late))
+    for scene, frames in shaded.items():
+        failures += judge_shaded(openltc, work, scene, frames, answers.get("shaded_" + scene, late))
     return failures
 
 
@@ -316,10 +369,16 @@ def main():
         expected[name] = rendered(arguments.openltc, work + "/scene.glb", work + "/%s.exr" % name, size_of(name))
         write_scene(name, lights, work + "/%s.glb" % name, True)
     scenes = {renderer: list(k_scenes) for renderer in k_renderers} if arguments.all else k_renderers
-    failures = check(program, arguments.openltc, work, k_newest, scenes, expected, arguments.picture)
+    shaded = dict(k_shaded, **{scene: k_all_frames for scene in k_shaded_all}) if arguments.all else k_shaded
+    pages = {"three": k_example}
+    if arguments.all:
+        make_react_page(work)
+        pages["react"] = k_react
+    failures = check(program, arguments.openltc, work, k_newest, pages, scenes, shaded, expected, arguments.picture)
     for release in k_releases if arguments.all else ():
         print(release)
-        failures += check(program, arguments.openltc, work, "releases/node_modules/" + release, scenes, expected, "")
+        failures += check(program, arguments.openltc, work, "releases/node_modules/" + release, {}, scenes, k_shaded,
+                          expected, "")
     for failure in failures:
         print(failure, file=sys.stderr)
     sys.exit(1 if failures else 0)

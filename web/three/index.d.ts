@@ -9,6 +9,8 @@ export type Corner = Vector2 | readonly [number, number];
 /** What all lights have. Emission is the same in all directions; `color` is a factor. */
 export abstract class AreaLight extends Light {
   readonly isAreaLight: true;
+  /** Whether it has shadows, by enableAreaShadows of openltc-three/shadows; false by default. */
+  castShadow: boolean;
   /** Lumens of the whole light. Setting it sets the luminance or intensity. */
   power: number;
 }

@@ -20,37 +20,40 @@ function pixelsOf({image, flipY, colorSpace, name}) {
     data = canvas.getImageData(0, 0, width, height).data;
     bottomFirst = false;
   } else if (flipY) bottomFirst = false;
-  const channels = data.length / (width * height), half = data instanceof Uint16Array;
-  const most = data instanceof Uint8Array || data instanceof Uint8ClampedArray ? 255 : 1;
-  for (let y = 0; y < height; ++y)
-    for (let x = 0; x < width; ++x) {
-      const from = channels * ((bottomFirst ? y : height - 1 - y) * width + x), to = 3 * (y * width + x);
-      for (let c = 0; c < 3; ++c) {
+  const channels = data.length / (width * height), isByte = data instanceof Uint8Array || data instanceof Uint8ClampedArray;
+  const linear = value => {
+    const x = isByte ? value / 255 : data instanceof Uint16Array ? DataUtils.fromHalfFloat(value) : value;
+    return Math.max(colorSpace === SRGBColorSpace ? color.setRGB(x, 0, 0, SRGBColorSpace).r : x, 0) || 0; // no NaN
+  };
+  const bytes = isByte ? Float32Array.from({length: 256}, (_, value) => linear(value)) : null;
+  for (let y = 0, to = 0; y < height; ++y)
+    for (let x = 0, from = channels * width * (bottomFirst ? y : height - 1 - y); x < width; ++x, from += channels)
+      for (let c = 0; c < 3; ++c, ++to) {
         const value = data[from + Math.min(c, channels - 1)];
-        pixels[to + c] = half ? DataUtils.fromHalfFloat(value) : value / most;
+        pixels[to] = bytes ? bytes[value] : linear(value);
       }
-      if (colorSpace === SRGBColorSpace) color.fromArray(pixels, to).convertSRGBToLinear().toArray(pixels, to);
-      for (let c = to; c < to + 3; ++c) if (!(pixels[c] > 0)) pixels[c] = 0; // no number neither
-    }
   return {width, height, pixels};
 }
 
-// The mean of what falls together, for fewer columns or rows.
-function reduced({width, height, pixels}, columns, rows) {
-  const sums = new Float32Array(3 * columns * rows);
-  const parts = (from, to) => Array.from({length: to}, (_, i) => {
-    const low = i * from / to, high = low + from / to;
-    return Array.from({length: Math.ceil(high) - Math.floor(low)}, (_, k) => Math.floor(low) + k)
-        .map(k => [k, (Math.min(k + 1, high) - Math.max(k, low)) * to / from]).filter(([k]) => k < from);
-  });
-  const across = parts(width, columns);
-  parts(height, rows).forEach((down, y) => across.forEach((side, x) => {
-    for (const [row, share] of down)
-      for (const [column, part] of side)
+// The mean of what falls together, for fewer pixels along an axis: `step` from one to the next, `lines` of them.
+function reducedLines(from, count, step, lines, lineStep, fewer) {
+  const to = new Float32Array(from.length / count * fewer), ratio = count / fewer;
+  const toLine = step === 3 ? 3 * fewer : lineStep;
+  for (let i = 0; i < fewer; ++i) {
+    const low = i * ratio, high = low + ratio;
+    for (let k = Math.floor(low); k < Math.min(Math.ceil(high), count); ++k) {
+      const share = (Math.min(k + 1, high) - Math.max(k, low)) / ratio;
+      for (let line = 0; line < lines; ++line)
         for (let c = 0; c < 3; ++c)
-          sums[3 * (y * columns + x) + c] += share * part * pixels[3 * (row * width + column) + c];
-  }));
-  return {width: columns, height: rows, pixels: sums};
+          to[line * toLine + i * step + c] += share * from[line * lineStep + k * step + c];
+    }
+  }
+  return to;
+}
+
+function reduced({width, height, pixels}, columns, rows) {
+  const narrow = reducedLines(pixels, width, 3, height, 3 * width, columns);
+  return {width: columns, height: rows, pixels: reducedLines(narrow, height, 3 * columns, columns, 3, rows)};
 }
 
 // At a place in [0, 1], between the middles of pixels.
@@ -79,25 +82,27 @@ function decimated({width, height, texels}, along) {
   if (count === 1) return {width, height, texels};
   const size = along === 'x' ? {width: width / 2, height} : {width, height: height / 2};
   const result = new Float32Array(4 * size.width * size.height);
-  for (let y = 0; y < size.height; ++y)
+  for (let y = 0, to = 0; y < size.height; ++y)
     for (let x = 0; x < size.width; ++x) {
-      const i = along === 'x' ? x : y, start = along === 'x' ? 4 * y * width : 4 * x, to = 4 * (y * size.width + x);
-      let total = 0;
-      [1, 3, 3, 1].forEach((weight, k) => {
-        const at = 2 * i - 1 + k;
-        if (at < 0 || at >= count) return;
-        total += weight;
-        for (let c = 0; c < 4; ++c) result[to + c] += weight * texels[start + at * step + c];
-      });
-      for (let c = 0; c < 4; ++c) result[to + c] /= total;
+      const i = along === 'x' ? x : y, start = along === 'x' ? 4 * y * width : 4 * x;
+      const before = 2 * i > 0 ? 1 : 0, after = 2 * i + 2 < count ? 1 : 0, scale = 1 / (6 + before + after);
+      for (let c = 0, at = start + 2 * i * step; c < 4; ++c, ++at, ++to)
+        result[to] = scale * (3 * (texels[at] + texels[at + step]) + (before ? texels[at - step] : 0) +
+                              (after ? texels[at + 2 * step] : 0));
     }
   return {...size, texels: result};
 }
 
 function meanOf({texels}) {
   const sum = [0, 0, 0, 0];
-  texels.forEach((x, i) => sum[i % 4] += x);
+  for (let i = 0; i < texels.length; ++i) sum[i % 4] += texels[i];
   return sum.map(x => 4 * x / texels.length);
+}
+
+function halves(texels) {
+  const result = new Uint16Array(texels.length);
+  for (let i = 0; i < texels.length; ++i) result[i] = DataUtils.toHalfFloat(Math.min(texels[i], 65504));
+  return result;
 }
 
 const powerOfTwo = x => Math.min(Math.max(2 ** Math.ceil(Math.log2(x)), leastSide), mostSide);
@@ -109,17 +114,19 @@ function makePicture(texture, isRound) {
     source = reduced(source, Math.min(source.width, width), Math.min(source.height, height));
   const cover = isRound ? coverOfEllipse(width, height) : new Float32Array(width * height).fill(1);
   let level = {width, height, texels: new Float32Array(4 * width * height)};
-  cover.forEach((share, i) => {
+  const isSame = source.width === width && source.height === height;
+  for (let i = 0; i < cover.length; ++i) {
     const u = (i % width + 0.5) / width, v = (Math.floor(i / width) + 0.5) / height;
-    for (let c = 0; c < 3; ++c) level.texels[4 * i + c] = share * bilinear(source, u, v, c);
-    level.texels[4 * i + 3] = share;
-  });
+    for (let c = 0; c < 3; ++c)
+      level.texels[4 * i + c] = cover[i] * (isSame ? source.pixels[3 * i + c] : bilinear(source, u, v, c));
+    level.texels[4 * i + 3] = cover[i];
+  }
   const mean = meanOf(level), mipmaps = [];
   for (;;) {
     const isLast = level.width === 1 && level.height === 1;
     if (isLast) level.texels = new Float32Array(mean);
     mipmaps.push({width: level.width, height: level.height,
-                  data: Uint16Array.from(level.texels, x => DataUtils.toHalfFloat(Math.min(x, 65504)))});
+                  data: halves(level.texels)});
     if (isLast) break;
     level = decimated(decimated(level, 'x'), 'y');
   }

@@ -5,7 +5,7 @@
 //
 // First stands where what is: for each shape where its first light begins and its last one ends, and the origin of
 // positions. A light is a head and its shape's elements: the head is its radiance and the number of elements to the
-// next light. Lights of a shape stand together. Positions are relative to the origin, the camera's place, axes those
+// next light, below 0 where it casts shadows. Lights of a shape stand together. Positions are relative to the origin, the camera's place, axes those
 // of the world, so that single precision serves scenes far from theirs.
 
 import {DataTexture, FloatType, NearestFilter, RGBAFormat} from 'three';
@@ -20,6 +20,7 @@ export const heads = Object.fromEntries(shapes.map((shape, i) => [shape, i])), o
 
 export class LightRows {
   constructor() {
+    this.casts = false; // whether any light casts shadows
     this.reserve(1);
   }
 
@@ -34,11 +35,13 @@ export class LightRows {
   /// Writes the lights, each with its shape and a factor of its colour, as seen from `origin`, a Vector3.
   write(lights, origin) {
     const elements = Array(shapes.length + 1);
+    this.casts = lights.some(({light}) => light.castShadow);
     for (const shape of shapes) {
       const begin = elements.length;
       for (const {light, factor} of lights.filter(one => one.shape === shape)) {
         const frame = light.frame(origin), own = light.elements(frame), radiance = light.radiance(frame);
-        elements.push([...light.color.toArray().map((c, k) => c * factor[k] * radiance), own.length + 1], ...own);
+        const next = light.castShadow ? -own.length - 1 : own.length + 1;
+        elements.push([...light.color.toArray().map((c, k) => c * factor[k] * radiance), next], ...own);
       }
       elements[heads[shape]] = [begin, elements.length, 0, 0];
     }

@@ -5,11 +5,12 @@
 // material of the scene is given the shader for the shapes that are there.
 
 import {glsl} from './glsl.js';
+import {rayFunctions, rayStatements, ratioFunctions, sumStatements} from './rays.js';
 import {LightRows} from './rows.js';
 import {SceneLights, makeEnable} from './scene_lights.js';
 import {functionsFor, picturesOf} from './shader_text.js';
 
-const pars = '#include <lights_physical_pars_fragment>', begin = '#include <lights_fragment_begin>';
+const pars = '#include <lights_physical_pars_fragment>', begin = '#include <lights_fragment_begin>', end = '#include <dithering_fragment>';
 
 // What follows three.js's own lights in main(). The roughness is the material's own: three.js widens it where normals
 // bend within a pixel, which point lights need.
@@ -30,27 +31,45 @@ const statements = `
 `;
 
 // Uniforms are the same objects for all materials; the scene that is rendered sets their values. Others, which share
-// its materials, find no lights.
-const none = new LightRows(), uniforms = {openltc_elements: {value: none.texture}}, pictureNames = [];
+// its materials, find no lights. All materials have all of them, since three.js keeps those of one of its programs.
+const none = new LightRows(), pictureNames = [0, 1, 2, 3].map(k => `openltc_picture_${k}`);
+export const sharedUniforms = Object.fromEntries(
+    ['openltc_elements', ...pictureNames, 'openltc_unshadowed', 'openltc_shadowed', 'openltc_bvh', 'openltc_frame']
+        .map(name => [name, {value: null}]));
+sharedUniforms.openltc_elements.value = none.texture;
+
+/// What shadows.js adds to the shaders that send rays.
+export const tracer = {functions: ''};
 
 function setUniforms(elements, pictures) {
-  uniforms.openltc_elements.value = elements;
-  pictures.forEach((picture, k) => {
-    pictureNames[k] = `openltc_picture_${k}`;
-    (uniforms[pictureNames[k]] ??= {value: null}).value = picture;
-  });
+  sharedUniforms.openltc_elements.value = elements;
+  pictures.forEach((picture, k) => sharedUniforms[pictureNames[k]].value = picture);
 }
 
-const shadersOf = new Map(); // by forms of shapes, as words, the text before main()
-const formsOf = new WeakMap(); // by material, the forms that it was last compiled for
+// What a shader does, before the forms of its shapes: the closed form alone, times the ratio of shadows, or rays.
+const ratio = 'ratio', rays = 'rays';
 
-function functionsOf(forms) {
-  if (!shadersOf.has(forms)) {
-    const list = forms.split(' '), pictures = pictureNames.slice(0, picturesOf(list));
-    shadersOf.set(forms, ['openltc_elements', ...pictures].map(name => `uniform highp sampler2D ${name};\n`).join('') +
-                         glsl.element('openltc_elements') + functionsFor(list, glsl, pictures));
-  }
-  return shadersOf.get(forms);
+const shadersOf = new Map(); // by that, as words, the text before main()
+const formsOf = new WeakMap(); // by material, what it was last compiled for
+
+function makeFunctions(words) {
+  const [task] = words, forms = words.filter(word => word !== ratio && word !== rays);
+  const pictures = pictureNames.slice(0, picturesOf(forms));
+  const elements = ['openltc_elements', ...pictures].map(name => `uniform highp sampler2D ${name};\n`).join('') +
+      glsl.element('openltc_elements');
+  if (task === rays) return tracer.functions + elements + rayFunctions(forms, pictures);
+  if (task === ratio) return elements + ratioFunctions + functionsFor(forms, glsl, pictures, 'openltc_radiance(head)');
+  return elements + functionsFor(forms, glsl, pictures);
+}
+
+function functionsOf(words) {
+  if (!shadersOf.has(words)) shadersOf.set(words, makeFunctions(words.split(' ')));
+  return shadersOf.get(words);
+}
+
+function statementsOf(words) {
+  const [task] = words.split(' ');
+  return task === rays ? rayStatements : (task === ratio ? '\nopenltc_ratio = openltc_ratio_here();' : '') + statements;
 }
 
 // Chains our change of the shader behind what the material has.
@@ -63,9 +82,10 @@ function take(material) {
     for (const text of [pars, begin])
       if (!shader.fragmentShader.includes(text))
         return console.warn(`openltc-three: the shader of material "${material.name}" has no ${text}: no area lights`);
-    Object.assign(shader.uniforms, uniforms);
+    Object.assign(shader.uniforms, sharedUniforms);
     shader.fragmentShader = shader.fragmentShader.replace(pars, () => `${pars}\n${functionsOf(forms)}`)
-        .replace(begin, () => begin + statements);
+        .replace(begin, () => begin + statementsOf(forms))
+        .replace(end, () => forms.startsWith(`${rays} `) ? sumStatements : end);
   };
   // The default one is the text of onBeforeCompile, which is ours now.
   const own = customProgramCacheKey === material.constructor.prototype.customProgramCacheKey
@@ -84,21 +104,37 @@ function prepare(material, forms) {
 
 class WebGLSceneLights extends SceneLights {
   outer = []; // textures of pictures that are being drawn, while this one is
+  shadows = null; // shadows.js
+  isTracing = false;
 
   begin(renderer, camera) {
-    this.outer.push(Object.values(uniforms).map(uniform => uniform.value));
-    this.update(camera);
+    this.outer.push(Object.values(sharedUniforms).map(uniform => uniform.value));
+    if (this.isTracing) return;
+    const forms = this.look(camera), casts = forms && this.rows.casts && this.shadows?.canTrace(renderer);
+    if (casts)
+      this.shadows.trace(renderer, camera, () => {
+        this.prepareMaterials(`${rays} ${forms}`);
+        this.isTracing = true;
+        try {
+          renderer.render(this.scene, camera);
+        } finally {
+          this.isTracing = false;
+        }
+      });
+    this.prepareMaterials(casts ? `${ratio} ${forms}` : forms);
   }
 
   end() {
-    if (this.outer.length) setUniforms(...(([elements, ...pictures]) => [elements, pictures])(this.outer.pop()));
+    this.outer.pop()?.forEach((value, i) => Object.values(sharedUniforms)[i].value = value);
   }
 
-  update(camera) {
+  look(camera) {
     const forms = this.collect(camera);
     setUniforms(this.rows.texture, this.pictures);
-    this.prepareMaterials(forms);
+    return forms;
   }
+
+  update(camera) { this.prepareMaterials(this.look(camera)); }
 
   prepareMaterials(forms) {
     const materials = new Set([this.scene.overrideMaterial]);
@@ -107,6 +143,7 @@ class WebGLSceneLights extends SceneLights {
   }
 
   dispose() {
+    this.shadows?.dispose();
     super.dispose();
     this.prepareMaterials('');
   }

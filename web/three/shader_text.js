@@ -56,11 +56,11 @@ export function picturesOf(forms) {
 }
 
 // The sum over all lights of a form; `pictures` are the names of those that are left.
-function sumOf(form, {int, pictureArgument}, pictures) {
+function sumOf(form, {int, pictureArgument}, pictures, radiance) {
   const [shape, copies] = form.split(':'), call = calls[shape];
   const body = call => `    head = openltc_element(i);
-    sum = openltc_add_light(sum, ${call}, head.rgb);
-    i += ${int}(head.w);
+    sum = openltc_add_light(sum, ${call}, ${radiance});
+    i += ${int}(abs(head.w));
 `;
   const calling = isPicture(shape) ? pictures.splice(0, copies).map(name => call(pictureArgument(name)))
                                    : Array(Number(copies ?? 0)).fill(call);
@@ -89,11 +89,11 @@ function pictureFunction({fn, pictureParameters, pictureArgument}) {
 
 /// Functions for the forms of a scene's shapes, in the words of a language (glsl.js). They call
 /// `vec4 openltc_element(int i)`, element i of LightRows, which stands before them, and look at as many `pictures`,
-/// names of textures, as picturesOf(forms) says.
+/// names of textures, as picturesOf(forms) says. `radiance` is that of a light, of its head.
 ///
 /// openltc_shade_layer is the light of a layer of the material. Position, normal and the direction to the eye are in
 /// the axes of three.js's view, to_world turns them; `eye` is the camera's place in the world.
-export function functionsFor(forms, words, pictures) {
+export function functionsFor(forms, words, pictures, radiance = 'head.rgb') {
   const {int, real, vec3, vec4, mat3, definitions, fn, variable} = words, light = 'openltc_ShadedLight';
   const zero = `${light}(${vec3}(0.0), ${vec3}(0.0))`;
   const left = [...pictures];
@@ -103,7 +103,7 @@ export function functionsFor(forms, words, pictures) {
        `  return ${light}(sum.diffuse + radiance * light.diffuse, sum.specular + radiance * light.specular);\n`),
     fn(light, 'openltc_shade_lights', [['openltc_Surface', 'surface']],
        variable(light, 'sum', zero) + variable(int, 'i', '0') + variable(int, 'end', '0') +
-       variable(vec4, 'head', `${vec4}(0.0)`) + forms.map(form => sumOf(form, words, left)).join('') + '  return sum;\n'),
+       variable(vec4, 'head', `${vec4}(0.0)`) + forms.map(form => sumOf(form, words, left, radiance)).join('') + '  return sum;\n'),
     fn(light, 'openltc_shade_layer',
        [[mat3, 'to_world'], [vec3, 'eye'], [vec3, 'position'], [vec3, 'normal'], [vec3, 'view'], [vec3, 'albedo'],
         [vec3, 'f0'], [real, 'f90'], [real, 'roughness']],
