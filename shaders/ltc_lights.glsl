@@ -2971,13 +2971,28 @@ ltc_LightIntegral ltc_surface_tube_integral(ltc_Surface s, ltc_Tube tube) {
 // Radii by which a round end lengthens the segment that stands for a tube.
 const float ltc_k_round_reach = 0.7;
 
-// An end of the segment that stands for a tube, shading space: the end of its axis, `out` of it as far as
-// a round end makes it longer, lifted to the middle of what stands out of the surface there.
-vec3 ltc_segment_end(ltc_Surface s, ltc_Tube tube, vec3 end, vec3 out_) {
-  float reach = ltc_has_round_caps(tube) ? ltc_k_round_reach * tube.radius : 0.0;
-  vec3 p = ltc_to_shading(s.frame, end + out_ * reach - s.position);
-  p.z = p.z + 0.5 * max(tube.radius - p.z, 0.0);
-  return p;
+// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
+// is below; the end is `height` over the plane.
+float ltc_lift_share(float height, float radius) {
+  float share = 0.5 * (radius - height) / max(radius, ltc_k_tiny);
+  return min(max(share, 0.0), 1.0);
+}
+
+// An end of the segment that stands for a tube: in the middle of what stands out of the surface there, and
+// over the lobe's own horizon, with unit normal `horizon`, for as long as some of the tube is.
+vec3 ltc_segment_end(vec3 end, vec3 horizon, float radius) {
+  vec3 p = end;
+  p.z = p.z + radius * ltc_lift_share(p.z, radius);
+  float below = ltc_lift_share(dot(p, horizon), radius);
+  return p + horizon * (radius * below * below * below);
+}
+
+// segment_ratio of that segment, whose ends, not yet lifted, are `from` and `to`, shading space.
+ltc_SegmentRatio ltc_tube_ratio(ltc_Surface s, ltc_Lobe lobe, vec3 from, vec3 to, float radius,
+                                float w) {
+  vec3 horizon = ltc_safe_direction(vec3(lobe.m20, 0.0, lobe.m22));
+  return ltc_segment_ratio(s, lobe, ltc_segment_end(from, horizon, radius),
+                           ltc_segment_end(to, horizon, radius), w);
 }
 
 // Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
@@ -2990,9 +3005,10 @@ ltc_ShadedLight ltc_shade_tube_integral(ltc_Surface s, ltc_Tube tube, ltc_LightI
   float share = ltc_filled_share(s, integral);
   float w = ltc_ratio_weight(integral, share);
   vec3 axis = ltc_safe_direction(tube.to - tube.from);
-  vec3 from = ltc_segment_end(s, tube, tube.from, -axis);
-  vec3 to = ltc_segment_end(s, tube, tube.to, axis);
-  ltc_SegmentRatio ratio = ltc_segment_ratio(s, s.fitted.lobe, from, to, w);
+  float reach = ltc_has_round_caps(tube) ? ltc_k_round_reach * tube.radius : 0.0;
+  vec3 from = ltc_to_shading(s.frame, tube.from - axis * reach - s.position);
+  vec3 to = ltc_to_shading(s.frame, tube.to + axis * reach - s.position);
+  ltc_SegmentRatio ratio = ltc_tube_ratio(s, s.fitted.lobe, from, to, tube.radius, w);
   bool along = ratio.scale > 0.0;
   float beyond = ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct;
   float weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + (along ? beyond : 0.0) +

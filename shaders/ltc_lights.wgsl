@@ -2997,13 +2997,28 @@ fn ltc_surface_tube_integral(s: ltc_Surface, tube: ltc_Tube) -> ltc_LightIntegra
 // Radii by which a round end lengthens the segment that stands for a tube.
 const ltc_k_round_reach: f32 = 0.7;
 
-// An end of the segment that stands for a tube, shading space: the end of its axis, `out` of it as far as
-// a round end makes it longer, lifted to the middle of what stands out of the surface there.
-fn ltc_segment_end(s: ltc_Surface, tube: ltc_Tube, end: vec3f, out_: vec3f) -> vec3f {
-  let reach = select(0.0, ltc_k_round_reach * tube.radius, ltc_has_round_caps(tube));
-  var p = ltc_to_shading(s.frame, end + out_ * reach - s.position);
-  p.z = p.z + 0.5 * max(tube.radius - p.z, 0.0);
-  return p;
+// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
+// is below; the end is `height` over the plane.
+fn ltc_lift_share(height: f32, radius: f32) -> f32 {
+  let share = 0.5 * (radius - height) / max(radius, ltc_k_tiny);
+  return min(max(share, 0.0), 1.0);
+}
+
+// An end of the segment that stands for a tube: in the middle of what stands out of the surface there, and
+// over the lobe's own horizon, with unit normal `horizon`, for as long as some of the tube is.
+fn ltc_segment_end(end: vec3f, horizon: vec3f, radius: f32) -> vec3f {
+  var p = end;
+  p.z = p.z + radius * ltc_lift_share(p.z, radius);
+  let below = ltc_lift_share(dot(p, horizon), radius);
+  return p + horizon * (radius * below * below * below);
+}
+
+// segment_ratio of that segment, whose ends, not yet lifted, are `from` and `to`, shading space.
+fn ltc_tube_ratio(s: ltc_Surface, lobe: ltc_Lobe, from_: vec3f, to: vec3f, radius: f32,
+                  w: f32) -> ltc_SegmentRatio {
+  let horizon = ltc_safe_direction(vec3f(lobe.m20, 0.0, lobe.m22));
+  return ltc_segment_ratio(s, lobe, ltc_segment_end(from_, horizon, radius),
+                           ltc_segment_end(to, horizon, radius), w);
 }
 
 // Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
@@ -3017,9 +3032,10 @@ fn ltc_shade_tube_integral(s: ltc_Surface, tube: ltc_Tube,
   let share = ltc_filled_share(s, integral);
   let w = ltc_ratio_weight(integral, share);
   let axis = ltc_safe_direction(tube.to - tube.from_);
-  let from_ = ltc_segment_end(s, tube, tube.from_, -axis);
-  let to = ltc_segment_end(s, tube, tube.to, axis);
-  let ratio = ltc_segment_ratio(s, s.fitted.lobe, from_, to, w);
+  let reach = select(0.0, ltc_k_round_reach * tube.radius, ltc_has_round_caps(tube));
+  let from_ = ltc_to_shading(s.frame, tube.from_ - axis * reach - s.position);
+  let to = ltc_to_shading(s.frame, tube.to + axis * reach - s.position);
+  let ratio = ltc_tube_ratio(s, s.fitted.lobe, from_, to, tube.radius, w);
   let along = ratio.scale > 0.0;
   let beyond = ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct;
   let weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + select(0.0, beyond, along) +

@@ -321,13 +321,27 @@ FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
 /// Radii by which a round end lengthens the segment that stands for a tube.
 CONSTANT k_round_reach = 0.7;
 
-/// An end of the segment that stands for a tube, shading space: the end of its axis, `out` of it as far as
-/// a round end makes it longer, lifted to the middle of what stands out of the surface there.
-FN Vec3 segment_end(Surface s, Tube tube, Vec3 end, Vec3 out) {
-  Real reach = select(has_round_caps(tube), Real(k_round_reach) * tube.radius, Real(0.0));
-  Vec3 p = to_shading(s.frame, end + out * reach - s.position);
-  p.z = p.z + Real(0.5) * max(tube.radius - p.z, Real(0.0));
-  return p;
+/// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
+/// is below; the end is `height` over the plane.
+FN Real lift_share(Real height, Real radius) {
+  Real share = Real(0.5) * (radius - height) / max(radius, Real(k_tiny));
+  return min(max(share, Real(0.0)), Real(1.0));
+}
+
+/// An end of the segment that stands for a tube: in the middle of what stands out of the surface there, and
+/// over the lobe's own horizon, with unit normal `horizon`, for as long as some of the tube is.
+FN Vec3 segment_end(Vec3 end, Vec3 horizon, Real radius) {
+  Vec3 p = end;
+  p.z = p.z + radius * lift_share(p.z, radius);
+  Real below = lift_share(dot(p, horizon), radius);
+  return p + horizon * (radius * below * below * below);
+}
+
+/// segment_ratio of that segment, whose ends, not yet lifted, are `from` and `to`, shading space.
+FN SegmentRatio tube_ratio(Surface s, Lobe lobe, Vec3 from, Vec3 to, Real radius, Real w) {
+  Vec3 horizon = safe_direction(Vec3(lobe.m20, Real(0.0), lobe.m22));
+  return segment_ratio(s, lobe, segment_end(from, horizon, radius),
+                       segment_end(to, horizon, radius), w);
 }
 
 /// Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
@@ -340,12 +354,13 @@ FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral)
   Real share = filled_share(s, integral);
   Real w = ratio_weight(integral, share);
   Vec3 axis = safe_direction(tube.to - tube.from);
-  Vec3 from = segment_end(s, tube, tube.from, -axis);
-  Vec3 to = segment_end(s, tube, tube.to, axis);
-  SegmentRatio ratio = segment_ratio(s, s.fitted.lobe, from, to, w);
+  Real reach = select(has_round_caps(tube), Real(k_round_reach) * tube.radius, Real(0.0));
+  Vec3 from = to_shading(s.frame, tube.from - axis * reach - s.position);
+  Vec3 to = to_shading(s.frame, tube.to + axis * reach - s.position);
+  SegmentRatio ratio = tube_ratio(s, s.fitted.lobe, from, to, tube.radius, w);
   if (s.two) {
     // Each lobe's own, in proportion to what it has of the light.
-    SegmentRatio second = segment_ratio(s, s.second, from, to, w);
+    SegmentRatio second = tube_ratio(s, s.second, from, to, tube.radius, w);
     Real part = integral.second * s.second_inv_share;
     Real mix = part * reciprocal(max(integral.specular * s.inv_share + part, Real(k_tiny)));
     ratio.scale = ratio.scale + (second.scale - ratio.scale) * mix;

@@ -181,13 +181,10 @@ bool has_step(const std::vector<double>& values, double known) {
 }
 
 // Steps that there are, over the largest light of a path. GGX itself takes more nodes where an arc
-// begins to count as wide, and steps by what they change: circles most. A thick tube whose axis
-// goes below the lobe's horizon, which sees the rest of it, loses the ratio of its axis.
+// begins to count as wide, and steps by what they change: circles most.
 double known_step(LightForm form, const std::string& shape) {
   const bool exact = form == LightForm::exact;
   if (exact && (shape == "sphere" || shape == "ellipse")) return 2e-3;
-  const bool ratio = exact || form == LightForm::ratio || form == LightForm::two_lobes_ratio;
-  if (ratio && shape == "capsule") return 2e-4;
   return exact ? 1e-4 : 1e-7;
 }
 
