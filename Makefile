@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web cross clean
+.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web web-test cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -48,10 +48,15 @@ package: build ## Make a .deb and a .tar.gz of the tool: out
 	@cpack --config build/release/CPackConfig.cmake -B out
 	@rm -r out/_CPack_Packages
 
-web: build ## Make the npm package for three.js, and fetch three.js for its example: out/web
+web: build ## Make the npm packages, the laboratory, and fetch three.js for its example: out/web
+	@web/wasm/build.sh build/release/bin/openltc out/web $(JOBS)
 	@node web/three/build.mjs build/release/bin/openltc out/web/openltc-three
 	@cp tests/web/package.json tests/web/package-lock.json out/web
 	@npm ci --prefix out/web --ignore-scripts --no-audit --no-fund
+
+web-test: web ## Test the npm packages and the laboratory, in Node and in a browser
+	@/usr/bin/python3 -B tests/web/openltc.py --openltc build/release/bin/openltc --package out/web/openltc --work out/web-test/openltc
+	@/usr/bin/python3 -B tests/web/lab.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/lab
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh
