@@ -28,6 +28,12 @@ def check(holds, what):
         print("FAILED " + what)
 
 
+def check_beside(found, name):
+    """The picture at the point of the figure has its light; it is read a few centimetres beside the cross."""
+    check(all(abs(a - b) < 6 and b > 40 for a, b in zip(found["picture"], found["figure"])),
+          "%s: the picture has the figure's light: %s" % (name, found))
+
+
 def check_typing(found):
     check(0.01 < found["example"] < 0.3, "the example is fitted: %s" % found["example"])
     for name, line, words in (("syntax", 2, "Line 2"), ("throws", 4, "g is not defined"),
@@ -67,6 +73,11 @@ def main():
         check(abs(start["tv"] - 0.0370) < 5e-4, "GGX: %s" % start)
         check(start["no_preview"] == "" and 2 < start["brightness"] < 200, "there is a picture: %s" % start)
         check(start["worst"] == 5 and "Both integrals are" in start["polygon"], "figures: %s" % start)
+        check_beside(start["beside"], "one lobe")
+    if "two_lobes" in found:
+        two = found["two_lobes"]
+        check(two["tv"] < 0.02 and two["no_preview"] == "", "two lobes: %s" % two)
+        check_beside(two["beside"], "two lobes")
     if "type" in found:
         check_typing(found["type"])
     if "link" in found:
@@ -93,7 +104,7 @@ def main():
         check(merl["good"]["message"] == "" and "measured" in merl["good"]["about"] and 0 < merl["good"]["tv"] < 0.5,
               "a measured material: %s" % merl)
         check("short.binary" in merl["bad"], "a file that is none: %s" % merl)
-    check(len(found) == 10, "every step was taken: %s" % sorted(found))
+    check(len(found) == 11, "every step was taken: %s" % sorted(found))
     print("%d steps, %d failures" % (len(found), len(k_failures)))
     sys.exit(1 if k_failures else 0)
 

@@ -122,10 +122,11 @@ function show() {
   writeControls();
   if (fit === null) return;
   markMap();
-  if (preview) {
-    guarded(() => preview.draw({...state, exposure: 2 ** state.exposure}));
-    handles.preview.draw(state.light);
-  }
+  if (preview)
+    guarded(() => {
+      preview.draw({...state, exposure: 2 ** state.exposure});
+      handles.preview.draw(state.light);
+    });
   wanted = true;
   if (!drawing) drawFigures();
 }
@@ -171,7 +172,7 @@ function showPolygon(polygon) {
   handles.figure.draw(state.light);
   const off = failed ? 0 : polygon.lightByLobe - polygon.lightByBrdf;
   $('polygon-facts').textContent = failed ? failed.message.replace(/^corners: /, '') + '.' :
-      `Both integrals are ${polygon.cosine.integral.toFixed(4)}. Of light of radiance 1 the surface reflects ` +
+      `${state.form === 'two-lobe' ? 'Shown is the first of two lobes. ' : ''}Both integrals are ${polygon.cosine.integral.toFixed(4)}. Of light of radiance 1 the surface reflects ` +
       `${polygon.lightByLobe.toFixed(4)} by the lobe${state.form === 'two-lobe' ? 's' : ''} and ${polygon.lightByBrdf.toFixed(4)} by the BRDF itself` +
       `: ${polygon.lightByBrdf > 1e-4 ? `${off < 0 ? '−' : '+'}${percent(Math.abs(off) / polygon.lightByBrdf)}` : 'nothing to compare'}.`;
 }

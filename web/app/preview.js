@@ -9,6 +9,9 @@ import {cornersOf, dataOf} from './polygon_light.js';
 
 const k_most_data = 40; // vec4 of "polygon data": 31 corners
 const k_distance = 4.2, k_target = [-0.45, 0.22, 0.42], k_field = 0.4;
+/// Of the light, linear, radiance 1 where it is most.
+export const lightColor = [1.0, 0.92, 0.8];
+
 const k_steepest = 2, k_flattest = 84; // degrees at which the camera stays
 
 const k_vertex = `#version 300 es
@@ -32,6 +35,12 @@ uniform bool u_wide; // the lobe keeps its width as roughness vanishes
 uniform vec3 u_color;
 out vec4 color;
 
+#ifdef TWO_LOBES
+#define TABLE u_coefficients, u_amplitudes, u_second
+#else
+#define TABLE u_coefficients, u_amplitudes
+#endif
+
 const vec3 k_ball = vec3(-0.75, 1.15, 0.6);
 
 ltc_Surface surface_of(vec3 position, vec3 normal, vec3 view) {
@@ -39,10 +48,10 @@ ltc_Surface surface_of(vec3 position, vec3 normal, vec3 view) {
   float cosine = clamp(dot(facing, view), 0.0, 1.0);
   float rough = max(u_roughness, ltc_k_min_roughness);
   float width = u_wide ? 1.0 : ltc_alpha_from_roughness(rough);
-  ltc_FittedLobe fitted = ltc_fetch_lobe_of_width(u_coefficients, u_amplitudes, rough, width, cosine);
+  ltc_FittedLobe fitted = ltc_fetch_lobe_of_width(TABLE, rough, width, cosine);
   ltc_Surface s = ltc_make_surface(fitted, position, facing, view, vec3(0.0), vec3(1.0), vec3(1.0), rough);
 #ifdef TWO_LOBES
-  return ltc_add_second_lobe(s, ltc_fetch_second_lobe_of_width(u_coefficients, u_amplitudes, u_second, rough, width, cosine));
+  return ltc_add_second_lobe(s, ltc_fetch_second_lobe_of_width(TABLE, rough, width, cosine));
 #else
   return s;
 #endif
@@ -111,6 +120,24 @@ export function cameraAt(thetaDegrees) {
   return {eye, forward, right, up};
 }
 
+// Pixels from the middle for a slope of 1.
+const scaleOf = (width, height) => Math.min(height, width * 0.75) / (2 * k_field);
+
+/// The ray of a place in a picture of that size: [origin, direction].
+export function rayIn(x, y, thetaDegrees, width, height) {
+  const {eye, forward, right, up} = cameraAt(thetaDegrees), scale = scaleOf(width, height);
+  const a = (x - width / 2) / scale, b = (height / 2 - y) / scale;
+  return [eye, unit(forward.map((f, i) => f + a * right[i] + b * up[i]))];
+}
+
+/// Where a point is seen in a picture of that size; null behind the camera.
+export function placeIn(point, thetaDegrees, width, height) {
+  const {eye, forward, right, up} = cameraAt(thetaDegrees), scale = scaleOf(width, height);
+  const to = sub(point, eye), dot = (v) => to.reduce((s, x, i) => s + x * v[i], 0);
+  const depth = dot(forward);
+  return depth < 0.1 ? null : [width / 2 + dot(right) / depth * scale, height / 2 - dot(up) / depth * scale];
+}
+
 export class Preview {
   #canvas;
   #gl;
@@ -147,7 +174,7 @@ export class Preview {
   draw({light, roughness, thetaDegrees, exposure}) {
     if (this.#fit === null || this.#gl.isContextLost()) return;
     const gl = this.#gl, canvas = this.#canvas;
-    const density = Math.min(window.devicePixelRatio || 1, 2);
+    const density = 2; // of pixels, for smooth edges
     const width = Math.round(canvas.clientWidth * density), height = Math.round(canvas.clientHeight * density);
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
     const two = this.#textures.length === 3;
@@ -171,29 +198,19 @@ export class Preview {
     gl.uniform1f(place('u_roughness'), roughness);
     gl.uniform1f(place('u_exposure'), exposure);
     gl.uniform1i(place('u_wide'), this.#fit.width === 'one' ? 1 : 0);
-    gl.uniform3f(place('u_color'), 1.0, 0.92, 0.8);
+    gl.uniform3fv(place('u_color'), lightColor);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  /// The ray of a place in the canvas, in its pixels of style: [origin, direction].
+  /// As rayIn, of this canvas.
   rayAt(x, y, thetaDegrees) {
-    const {eye, forward, right, up} = cameraAt(thetaDegrees), {clientWidth: w, clientHeight: h} = this.#canvas;
-    const scale = Math.min(h, w * 0.75);
-    const a = k_field * (2 * x - w) / scale, b = k_field * (h - 2 * y) / scale;
-    return [eye, unit(forward.map((f, i) => f + a * right[i] + b * up[i]))];
-  }
-
-  /// Where a corner is seen, in pixels of style; null behind the camera.
-  placeOf(point, thetaDegrees) {
-    const {eye, forward, right, up} = cameraAt(thetaDegrees), {clientWidth: w, clientHeight: h} = this.#canvas;
-    const to = sub(point, eye), dot = (v) => to.reduce((s, x, i) => s + x * v[i], 0);
-    const depth = dot(forward), scale = Math.min(h, w * 0.75);
-    if (depth < 0.1) return null;
-    return [w / 2 + dot(right) / depth / k_field * scale / 2, h / 2 - dot(up) / depth / k_field * scale / 2];
+    return rayIn(x, y, thetaDegrees, this.#canvas.clientWidth, this.#canvas.clientHeight);
   }
 
   /// Corners as they are seen.
-  corners(light, thetaDegrees) { return cornersOf(light).map((p) => this.placeOf(p, thetaDegrees)); }
+  corners(light, thetaDegrees) {
+    return cornersOf(light).map((p) => placeIn(p, thetaDegrees, this.#canvas.clientWidth, this.#canvas.clientHeight));
+  }
 
   #link(two) {
     const gl = this.#gl, program = gl.createProgram();
