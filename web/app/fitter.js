@@ -3,7 +3,7 @@
 //
 // The worker as the page sees it: calls that answer, a fit that can be ended.
 
-const k_silence = 8000; // ms without a sign of life, after which a fit is taken for one that never ends
+const k_silence = 10000; // ms without a sign of life, after which a BRDF is taken for one that never ends
 
 /// What could not be done, with the line and column of the BRDF's text where that is known, else 0.
 export class FitFailure extends Error {
@@ -19,6 +19,7 @@ export class Fitter {
   #last = 0;
   #waiting = new Map();
   #timer = 0;
+  #ready = false; // the worker has loaded
 
   /// Fetches the module once for all workers.
   static async load() {
@@ -37,7 +38,9 @@ export class Fitter {
     if (this.#worker === null) this.#start().catch(() => {});
     const id = ++this.#last;
     return new Promise((done, fail) => {
-      this.#waiting.set(id, {done, fail, onProgress});
+      // A function of the reader's may be called; all else comes to an end.
+      const watched = more.options?.brdf?.text !== undefined || call === 'cells' || call === 'polygon';
+      this.#waiting.set(id, {done, fail, onProgress, watched});
       this.#worker.postMessage({id, call, ...more});
       this.#watch();
     });
@@ -48,6 +51,7 @@ export class Fitter {
     if (this.#worker === null) return;
     this.#worker.terminate();
     this.#worker = null;
+    this.#ready = false;
     clearTimeout(this.#timer);
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
@@ -61,22 +65,27 @@ export class Fitter {
       event.preventDefault();
       this.cancel(`the worker ended: ${event.message ?? 'its files could not be loaded'}`);
     };
-    return this.call('load', {wasm: this.#wasm});
+    return this.call('load', {wasm: this.#wasm}).then((catalogue) => {
+      this.#ready = true;
+      this.#watch();
+      return catalogue;
+    });
   }
 
   #hear({id, share, result, failed}) {
+    this.#watch();
     const waiting = this.#waiting.get(id);
     if (!waiting) return;
-    this.#watch();
     if (share !== undefined) return waiting.onProgress(share);
     this.#waiting.delete(id);
-    if (this.#waiting.size === 0) clearTimeout(this.#timer);
+    this.#watch();
     if (failed) waiting.fail(new FitFailure(failed));
     else waiting.done(result);
   }
 
   #watch() {
     clearTimeout(this.#timer);
+    if (!this.#ready || ![...this.#waiting.values()].some((call) => call.watched)) return;
     this.#timer = setTimeout(() => this.cancel(
         `the BRDF gave no answer for ${k_silence / 1000} seconds and was ended; does it loop for ever?`), k_silence);
   }

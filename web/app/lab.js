@@ -16,12 +16,13 @@ import {shapes, start} from './state.js';
 
 const $ = (id) => document.getElementById(id);
 const k_own = '', k_merl = '?'; // values of the choice of a BRDF that are no name of one
+const k_still = 400; // ms without a change before the picture gets smooth edges
 const k_pause = 250; // ms after the last key before a fit begins
 
 const state = {...start};
 let fitter, preview = null, editor, colours, fit = null, merl = null, cosine;
 let trusted = true; // the text is the reader's own, or was read
-let typed = 0, latest = 0, drawing = false, wanted = false;
+let typed = 0, still = 0, latest = 0, drawing = false, wanted = false;
 
 // ---- fits
 
@@ -49,6 +50,7 @@ async function refit() {
   $('progress').value = 0;
   try {
     const made = await fitter.call('fit', {options: fitOptions()}, (share) => $('progress').value = share);
+    await preview?.prepare(made).catch(withoutPicture);
     if (mine !== latest) return;
     fit = made;
     complain(made.warning);
@@ -98,13 +100,17 @@ function showFit() {
 }
 
 // Where there is no picture all else works on.
+function withoutPicture(error) {
+  preview = null;
+  $('no-preview').textContent = error.message;
+  $('no-preview').hidden = false;
+}
+
 function guarded(action) {
   try {
     action();
   } catch (error) {
-    preview = null;
-    $('no-preview').textContent = error.message;
-    $('no-preview').hidden = false;
+    withoutPicture(error);
   }
 }
 
@@ -117,6 +123,10 @@ function markMap() {
       `<rect x="${column - 0.6}" y="${y - 0.6}" width="2.2" height="2.2" fill="none" stroke="#fff" stroke-width="0.35"/>`;
 }
 
+function drawPreview(density) {
+  preview.draw({...state, exposure: 2 ** state.exposure}, density);
+}
+
 // Pictures follow at once, the figures of the worker as soon as it is free.
 function show() {
   writeControls();
@@ -124,8 +134,10 @@ function show() {
   markMap();
   if (preview)
     guarded(() => {
-      preview.draw({...state, exposure: 2 ** state.exposure});
+      drawPreview(1);
       handles.preview.draw(state.light);
+      clearTimeout(still);
+      still = setTimeout(() => preview && guarded(() => drawPreview(2)), k_still);
     });
   wanted = true;
   if (!drawing) drawFigures();
@@ -324,23 +336,23 @@ function listen() {
     const engine = $('layout').value.startsWith('engine:');
     for (const id of ['container', 'precision']) $(id).disabled = engine;
   });
-  $('preview').addEventListener('webglcontextlost', (event) => event.preventDefault());
-  $('preview').addEventListener('webglcontextrestored', () => makePreview().then(() => fit && showFit()));
+  $('preview').addEventListener('webglcontextlost', (event) => {
+    event.preventDefault(); // so that it comes back
+    withoutPicture(new Error('The graphics device was lost; the picture comes back with it, all else works.'));
+  });
+  $('preview').addEventListener('webglcontextrestored', async () => {
+    $('no-preview').hidden = true;
+    $('no-preview').textContent = '';
+    makePreview();
+    if (fit === null) return;
+    await preview?.prepare(fit).catch(withoutPicture);
+    showFit();
+  });
   new ResizeObserver(() => fit && show()).observe($('preview'));
 }
 
-async function makePreview() {
-  try {
-    const texts = await Promise.all(['table', 'two-lobe'].map(async (name) => {
-      const response = await fetch(`shaders/glsl-es-${name}`);
-      if (!response.ok) throw new Error(`shaders/glsl-es-${name}: ${response.status} ${response.statusText}`);
-      return response.text();
-    }));
-    preview = new Preview($('preview'), texts);
-  } catch (error) {
-    $('no-preview').textContent = error.message;
-    $('no-preview').hidden = false;
-  }
+function makePreview() {
+  guarded(() => preview = new Preview($('preview')));
 }
 
 function restore() {
@@ -357,7 +369,8 @@ async function begin() {
     change({text});
     later();
   });
-  [fitter] = await Promise.all([Fitter.load(), makePreview()]);
+  makePreview();
+  fitter = await Fitter.load();
   const {brdfs, colormaps, version} = fitter.catalogue;
   colours = colormaps;
   cosine = lobePicture([1, 0, 0, 0, 1, 0, 0, 0, 1], colours);

@@ -120,6 +120,8 @@ export function cameraAt(thetaDegrees) {
   return {eye, forward, right, up};
 }
 
+const hasTwo = (fit) => fit.textures.length === 3;
+
 // Pixels from the middle for a slope of 1.
 const scaleOf = (width, height) => Math.min(height, width * 0.75) / (2 * k_field);
 
@@ -144,17 +146,25 @@ export class Preview {
   #programs = new Map(); // by whether there are two lobes
   #textures = [];
   #fit = null;
-  #shaders;
+  #shaders = new Map(); // their texts
 
-  /// `shaders`: the texts for one lobe and for two. Fails where there is no WebGL 2.
-  constructor(canvas, shaders) {
+  /// Fails where there is no WebGL 2.
+  constructor(canvas) {
     this.#canvas = canvas;
-    this.#shaders = shaders;
     this.#gl = canvas.getContext('webgl2', {antialias: false, alpha: false});
     if (!this.#gl) throw new Error('WebGL 2 is not there; the picture is left out, all else works');
   }
 
-  /// Takes the textures of a fit.
+  /// Fetches the shader file that reads a fit.
+  async prepare(fit) {
+    const two = hasTwo(fit), name = `shaders/glsl-es-${two ? 'two-lobe' : 'table'}`;
+    if (this.#shaders.has(two)) return;
+    const response = await fetch(new URL(name, import.meta.url));
+    if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}`);
+    this.#shaders.set(two, await response.text());
+  }
+
+  /// Takes the textures of a fit that it is prepared for.
   setFit(fit) {
     const gl = this.#gl;
     for (const texture of this.#textures) gl.deleteTexture(texture);
@@ -171,13 +181,13 @@ export class Preview {
     this.#fit = fit;
   }
 
-  draw({light, roughness, thetaDegrees, exposure}) {
+  /// `density`: pixels of the picture to one of the page; 2 for smooth edges.
+  draw({light, roughness, thetaDegrees, exposure}, density) {
     if (this.#fit === null || this.#gl.isContextLost()) return;
     const gl = this.#gl, canvas = this.#canvas;
-    const density = 2; // of pixels, for smooth edges
     const width = Math.round(canvas.clientWidth * density), height = Math.round(canvas.clientHeight * density);
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-    const two = this.#textures.length === 3;
+    const two = hasTwo(this.#fit);
     if (!this.#programs.has(two)) this.#programs.set(two, this.#link(two));
     const program = this.#programs.get(two);
     gl.viewport(0, 0, width, height);
@@ -214,7 +224,7 @@ export class Preview {
 
   #link(two) {
     const gl = this.#gl, program = gl.createProgram();
-    const text = k_head + (two ? '#define TWO_LOBES\n' : '') + this.#shaders[two ? 1 : 0] + k_main;
+    const text = k_head + (two ? '#define TWO_LOBES\n' : '') + this.#shaders.get(two) + k_main;
     for (const [type, source] of [[gl.VERTEX_SHADER, k_vertex], [gl.FRAGMENT_SHADER, text]]) {
       const shader = gl.createShader(type);
       gl.shaderSource(shader, source);

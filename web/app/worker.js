@@ -8,12 +8,26 @@ import {SourceError, compile, placeOf} from './brdf_source.js';
 
 let openltc, fit = null, url = '';
 
+// A function that says now and then that it is called.
+function watched(evaluate) {
+  const k_beat = 500; // ms
+  let last = 0;
+  return (...given) => {
+    const now = performance.now();
+    if (now - last > k_beat) {
+      last = now;
+      postMessage({id: 0});
+    }
+    return evaluate(...given);
+  };
+}
+
 // What the package calls a BRDF.
 async function sourceOf(brdf) {
   if (brdf.text === undefined) return brdf.merl ? {merl: brdf.merl, name: brdf.name} : brdf.name;
   const compiled = await compile(brdf.text);
   url = compiled.url;
-  return {evaluate: compiled.evaluate, name: brdf.name, width: brdf.width};
+  return {evaluate: watched(compiled.evaluate), name: brdf.name, width: brdf.width};
 }
 
 async function makeFit(options, id) {
