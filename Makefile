@@ -54,7 +54,9 @@ web: build ## Make the npm packages, the laboratory, and fetch three.js for its 
 	@cp tests/web/package.json tests/web/package-lock.json out/web
 	@npm ci --prefix out/web --ignore-scripts --no-audit --no-fund
 
-web-test: web ## Test the npm packages and the laboratory, in Node and in a browser
+web-test: web ## Test the npm packages and the laboratory: in Node, on all renderers of three releases of three.js
+	@/usr/bin/python3 -B tests/web/pack.py --openltc build/release/bin/openltc --work out/web-test --types
+	@/usr/bin/python3 -B tests/web/three.py --openltc build/release/bin/openltc --work out/web-test --all
 	@/usr/bin/python3 -B tests/web/openltc.py --openltc build/release/bin/openltc --package out/web/openltc --work out/web-test/openltc
 	@/usr/bin/python3 -B tests/web/lab.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/lab
 
