@@ -21,7 +21,7 @@ function brdf(wo, wi, roughness, f) {
     const hz = wo[2] + z;
     const t = hx * hx + y * y + hz * hz * a2;
     const h2 = hx * hx + y * y + hz * hz;
-    const d = a2 * h2 * h2 / (Math.PI * t * t);
+    const d = a2 * (h2 / t) ** 2 / Math.PI;
     const v = 0.5 / (z * so + wo[2] * s(z));
     f[i] = 0.85 * d * v + 0.15 / Math.PI;
   }
