@@ -62,7 +62,7 @@ export async function compile(text) {
 /// The place of a syntax error, which only a script of its own tells: [line, column], or [0, 0]. In a page.
 export function findSyntaxError(text) {
   return new Promise((done) => {
-    const url = URL.createObjectURL(new Blob(['"use strict";', text, '\nclose();'], {type: 'text/javascript'}));
+    const url = URL.createObjectURL(new Blob(['"use strict";', text, '\npostMessage(0);'], {type: 'text/javascript'}));
     const worker = new Worker(url);
     const finish = (line, column) => {
       clearTimeout(timer);
@@ -70,7 +70,8 @@ export function findSyntaxError(text) {
       URL.revokeObjectURL(url);
       done([line, line === 1 ? Math.max(1, column - 13) : column]);
     };
-    const timer = setTimeout(() => finish(0, 0), 1000);
+    const timer = setTimeout(() => finish(0, 0), 5000);
+    worker.onmessage = () => finish(0, 0);
     worker.onerror = (event) => {
       event.preventDefault();
       finish(event.lineno ?? 0, event.colno ?? 0);
