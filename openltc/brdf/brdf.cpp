@@ -40,6 +40,16 @@ const Brdf* find_brdf(std::string_view name) {
   return nullptr;
 }
 
+void eval_all(const Brdf& brdf, Vec3d wo, std::span<const Vec3d> wi, double roughness,
+              std::span<BrdfValue> values) {
+  if (brdf.eval_many) {
+    const std::vector<Vec3d> same(wi.size(), wo);
+    return brdf.eval_many(same, wi, roughness, values);
+  }
+  for (std::size_t i = 0; i < wi.size(); ++i)
+    values[i] = brdf.eval(wo, wi[i], roughness);
+}
+
 Brdf brdf_from_function(std::string name, std::function<double(Vec3d, Vec3d, double)> f,
                         LobeWidth width) {
   Brdf brdf;
@@ -49,6 +59,29 @@ Brdf brdf_from_function(std::string name, std::function<double(Vec3d, Vec3d, dou
   brdf.width = width;
   brdf.eval = [f = std::move(f)](Vec3d wo, Vec3d wi, double roughness) {
     return BrdfValue{f(wo, wi, roughness) * wi.z, 0};
+  };
+  return brdf;
+}
+
+Brdf brdf_from_function_of_many(
+    std::string name,
+    std::function<void(std::span<const Vec3d>, std::span<const Vec3d>, double, std::span<double>)>
+        f,
+    LobeWidth width) {
+  Brdf brdf = brdf_from_function(
+      std::move(name),
+      [f](Vec3d wo, Vec3d wi, double roughness) {
+        double value = 0;
+        f({&wo, 1}, {&wi, 1}, roughness, {&value, 1});
+        return value;
+      },
+      width);
+  brdf.eval_many = [f = std::move(f)](std::span<const Vec3d> wo, std::span<const Vec3d> wi,
+                                      double roughness, std::span<BrdfValue> values) {
+    std::vector<double> without_cosine(wi.size());
+    f(wo, wi, roughness, without_cosine);
+    for (std::size_t i = 0; i < wi.size(); ++i)
+      values[i] = {without_cosine[i] * wi[i].z, 0};
   };
   return brdf;
 }

@@ -40,9 +40,18 @@ struct Brdf {
   LobeWidth width = LobeWidth::alpha;
   /// Cosine included, 1/steradian. Called only with wo.z > 0 and wi.z > 0.
   std::function<BrdfValue(Vec3d wo, Vec3d wi, double roughness)> eval;
+  /// If there is one, it is called in place of eval where many values are wanted at once: of a
+  /// function that costs much by the call. values[i] is eval(wo[i], wi[i], roughness).
+  std::function<void(std::span<const Vec3d> wo, std::span<const Vec3d> wi, double roughness,
+                     std::span<BrdfValue> values)>
+      eval_many = {};
 
   bool has_parameter() const { return !parameter.empty(); }
 };
+
+/// Values of one view direction: by eval_many where there is one, else by eval, one by one.
+void eval_all(const Brdf& brdf, Vec3d wo, std::span<const Vec3d> wi, double roughness,
+              std::span<BrdfValue> values);
 
 /// All built-in entries.
 std::span<const Brdf> all_brdfs();
@@ -54,5 +63,14 @@ const Brdf* find_brdf(std::string_view name);
 /// the cosine. It need not be normalised and is fitted for F = 1.
 Brdf brdf_from_function(std::string name, std::function<double(Vec3d, Vec3d, double)> f,
                         LobeWidth width = LobeWidth::alpha);
+
+/// The same from a function over many directions, which writes f of each pair into `values`. They
+/// are of one length, which differs from call to call.
+Brdf brdf_from_function_of_many(
+    std::string name,
+    std::function<void(std::span<const Vec3d> wo, std::span<const Vec3d> wi, double roughness,
+                       std::span<double> values)>
+        f,
+    LobeWidth width = LobeWidth::alpha);
 
 } // namespace openltc::brdf

@@ -22,6 +22,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -105,12 +106,19 @@ HalfVectors half_vectors_of(const brdf::Brdf& brdf, double roughness) {
   constexpr double k_nothing = 1e-7;
   const double step = -std::log(k_smallest) / n;
   const auto slope = [&](int i) { return k_smallest * std::exp((i + 0.5) * step); };
+  std::array<Vec3d, n> wi;
+  std::array<brdf::BrdfValue, n> values;
+  for (int i = 0; i < n; ++i) {
+    const double r = slope(i);
+    const double inv = 1 / (1 + r * r);
+    wi[std::size_t(i)] = {2 * r * inv, 0, (1 - r * r) * inv};
+  }
+  brdf::eval_all(brdf, Vec3d(0, 0, 1), wi, roughness, values);
   double energy[n], sum = 0, most = 0;
   for (int i = 0; i < n; ++i) {
     const double r = slope(i);
     const double inv = 1 / (1 + r * r);
-    const Vec3d wi(2 * r * inv, 0, (1 - r * r) * inv);
-    const double value = brdf.eval(Vec3d(0, 0, 1), wi, roughness).scale;
+    const double value = values[std::size_t(i)].scale;
     energy[i] = value > 0 && std::isfinite(value) ? value * r * r * inv * inv : 0;
     sum += energy[i];
     most = std::max(most, energy[i]);
@@ -170,6 +178,11 @@ Result<Quadrature> make_rule(const brdf::Brdf& brdf, double roughness, double co
   q.weight.assign(padded, 0.0);
   q.density.assign(padded, 0.0);
 
+  // The directions, and where they stand in the arrays.
+  std::vector<Vec3d> wis;
+  std::vector<std::size_t> places;
+  wis.reserve(count);
+  places.reserve(count);
   std::size_t at = 0;
   for (int j = 0; j < size.azimuths; ++j) {
     const double d_chi = f64::k_pi / size.azimuths;
@@ -194,21 +207,27 @@ Result<Quadrature> make_rule(const brdf::Brdf& brdf, double roughness, double co
       const double dr = 0.5 * s * (growth + 1 / growth) * length * rule.weight[node];
       // Both halves of the domain: 2 * 4 (wo.h) r dr dphi / (1 + r^2)^(3/2).
       const double weight = 8 * o_dot * r * dr * a.weight * inv * inv;
-      const brdf::BrdfValue value = brdf.eval(wo, wi, roughness);
-      if (!(value.scale >= 0 && std::isfinite(value.scale) && std::isfinite(value.bias)))
-        return Error{fmt::format("brdf {}: its value is {} (Fresnel part {}) for wo {}, wi {}, "
-                                 "roughness {:.6g}; it must "
-                                 "be finite and not negative",
-                                 brdf.name, value.scale, value.bias, direction_text(wo),
-                                 direction_text(wi), roughness)};
       q.x_mirror[at] = cos_theta * wi.x + sin_theta * wi.z;
       q.y[at] = wi.y;
       q.z_mirror[at] = cos_theta * wi.z - sin_theta * wi.x;
       q.weight[at] = weight;
-      q.density[at] = value.scale;
-      q.n1 += weight * value.scale;
-      q.n5 += weight * value.bias;
+      wis.push_back(wi);
+      places.push_back(at);
     }
+  }
+  std::vector<brdf::BrdfValue> values(wis.size());
+  brdf::eval_all(brdf, wo, wis, roughness, values);
+  for (std::size_t i = 0; i < wis.size(); ++i) {
+    const brdf::BrdfValue value = values[i];
+    if (!(value.scale >= 0 && std::isfinite(value.scale) && std::isfinite(value.bias)))
+      return Error{fmt::format("brdf {}: its value is {} (Fresnel part {}) for wo {}, wi {}, "
+                               "roughness {:.6g}; it must "
+                               "be finite and not negative",
+                               brdf.name, value.scale, value.bias, direction_text(wo),
+                               direction_text(wis[i]), roughness)};
+    q.density[places[i]] = value.scale;
+    q.n1 += q.weight[places[i]] * value.scale;
+    q.n5 += q.weight[places[i]] * value.bias;
   }
   if (!(q.n1 > 1e-12 && std::isfinite(q.n1)))
     return Error{fmt::format("brdf {}: it reflects nothing for wo {}, roughness {:.6g} (albedo {})",

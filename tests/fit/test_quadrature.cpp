@@ -125,3 +125,25 @@ TEST_CASE("a BRDF that throws or has no function becomes an error") {
   CHECK_FALSE(fit::make_quadrature(empty, 0.5, 0.5, {8, 8}).ok());
   CHECK_FALSE(fit::choose_quadrature(empty).ok());
 }
+
+TEST_CASE("a function of many directions is called once for a rule, and gives the same rule") {
+  const auto f = [](Vec3d wo, Vec3d wi, double roughness) {
+    return (1 + roughness + wi.x) * (wo.z + wi.z);
+  };
+  int calls = 0;
+  const brdf::Brdf many = brdf::brdf_from_function_of_many(
+      "many", [&](std::span<const Vec3d> wo, std::span<const Vec3d> wi, double roughness,
+                  std::span<double> values) {
+        ++calls;
+        for (std::size_t i = 0; i < wi.size(); ++i)
+          values[i] = f(wo[i], wi[i], roughness);
+      });
+  const Result<fit::Quadrature> together = fit::make_quadrature(many, 0.5, 0.7, {}, {20, 32});
+  CHECK(calls == 1);
+  const Result<fit::Quadrature> single =
+      fit::make_quadrature(brdf::brdf_from_function("one", f), 0.5, 0.7, {}, {20, 32});
+  REQUIRE(together);
+  REQUIRE(single);
+  CHECK(together->n1 == single->n1);
+  CHECK(together->density == single->density);
+}
