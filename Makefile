@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package python figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web cross clean
+.PHONY: help setup build build-all build-checked demo lights package python figures reference test bench bench-python hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -69,6 +69,9 @@ test: build-all build-checked ## Run all tests, those that are quick with assert
 
 bench: build-all ## Run the benchmarks
 	@tools/bench.sh build/release/bin
+
+bench-python: build-all ## Measure the Python module beside the tool and the C++ batch API
+	@PYTHONPATH=build/release/python build/release/python-venv/bin/python -B bench/python/bench.py --bin build/release/bin
 
 hard: build ## Measure the closed form on the scenes where it is worst
 	@cmake --build --preset release --parallel $(JOBS) --target bench_hard

@@ -28,6 +28,11 @@ _places = {
     "pdf": "_shade",
     "sample": "_shade",
     "Material": "_material",
+    "Scene": "_scene",
+    "Picture": "_picture",
+    "Comparison": "_picture",
+    "compare": "_picture",
+    "read": "_picture",
     "Rectangle": "lights",
     "Polygon": "lights",
     "Disk": "lights",
@@ -39,9 +44,11 @@ _places = {
     "Spot": "lights",
     "Directional": "lights",
 }
-_modules = ("lights",)
+_modules = ("lights", "plot")
 
-__all__ = [*_places, *_modules, "Error", "__version__"]
+_lower = ("Error", "Camera", "__version__")
+
+__all__ = [*_places, *_modules, *_lower]
 
 
 def __getattr__(name):
@@ -50,7 +57,7 @@ def __getattr__(name):
         value = getattr(importlib.import_module(f"{__name__}.{_places[name]}"), name)
     elif name in _modules:
         value = importlib.import_module(f"{__name__}.{name}")
-    elif name in ("Error", "__version__"):
+    elif name in _lower:
         value = getattr(importlib.import_module(f"{__name__}._openltc"), name)
     else:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

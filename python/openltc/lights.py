@@ -38,6 +38,32 @@ def _color(value, name):
     return (float(value),) * 3
 
 
+def _cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def _unit(v, name):
+    length = math.sqrt(sum(x * x for x in v))
+    if not (length > 0 and math.isfinite(length)):
+        raise ValueError(f"{name}: it has no direction")
+    return [x / length for x in v]
+
+
+def _emitter(light, of):
+    """A light of a scene, with what the small class beside it has; light_list says what is wrong with it."""
+    light_list([of])
+    light.radiance_nits = _color(of.radiance_nits, "radiance_nits")
+    light.two_sided = getattr(of, "two_sided", False)
+    return light
+
+
+def _punctual(kind, intensity, range_metres):
+    light = _openltc.PunctualLight()
+    light.type, light.range_metres = kind, range_metres
+    light.intensity_candela_or_lux = _color(intensity, "intensity")
+    return light
+
+
 @dataclass
 class Rectangle:
     """A rectangle or parallelogram. half_u and half_v lead from the centre to the middles of two
@@ -53,6 +79,11 @@ class Rectangle:
         to.rectangle(_vector(self.center, "center"), _vector(self.half_u, "half_u"),
                      _vector(self.half_v, "half_v"), self.two_sided,
                      _color(self.radiance_nits, "radiance_nits"))
+
+    def _to_scene(self):
+        c, u, v = (_vector(w, "rectangle") for w in (self.center, self.half_u, self.half_v))
+        corners = [tuple(c[k] + a * u[k] + b * v[k] for k in range(3)) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        return Polygon(corners, self.radiance_nits, two_sided=self.two_sided)._to_scene()
 
 
 @dataclass
@@ -72,6 +103,22 @@ class Polygon:
             ends.append(len(vertices))
         to.polygon(vertices, ends, self.two_sided, _color(self.radiance_nits, "radiance_nits"))
 
+    def _to_scene(self):
+        light = _emitter(_openltc.PolygonLight(), self)
+        vertices, ends = [], []
+        for ring in (self.vertices, *self.holes):
+            vertices += [_vector(v, "vertices") for v in ring]
+            ends.append(len(vertices))
+        light.vertices, light.ring_ends = vertices, ends
+        area = [0.0, 0.0, 0.0]  # Newell's formula
+        ring = vertices[:ends[0]]
+        for p, q in zip(ring, ring[1:] + ring[:1]):
+            for k in range(3):
+                i, j = (k + 1) % 3, (k + 2) % 3
+                area[k] += (p[i] - q[i]) * (p[j] + q[j])
+        light.normal = _unit(area, "vertices")
+        return light
+
 
 @dataclass
 class Ellipse:
@@ -88,6 +135,12 @@ class Ellipse:
                    _vector(self.half_v, "half_v"), self.two_sided,
                    _color(self.radiance_nits, "radiance_nits"))
 
+    def _to_scene(self):
+        light = _emitter(_openltc.EllipseLight(), self)
+        light.center = _vector(self.center, "center")
+        light.half_u, light.half_v = _vector(self.half_u, "half_u"), _vector(self.half_v, "half_v")
+        return light
+
 
 @dataclass
 class Disk:
@@ -103,6 +156,14 @@ class Disk:
         to.disk(_vector(self.center, "center"), _vector(self.normal, "normal"), self.radius_metres,
                 self.two_sided, _color(self.radiance_nits, "radiance_nits"))
 
+    def _to_scene(self):
+        n = _unit(_vector(self.normal, "normal"), "normal")
+        k = min(range(3), key=lambda i: abs(n[i]))
+        u = _unit(_cross([float(i == k) for i in range(3)], n), "normal")
+        r = self.radius_metres
+        return Ellipse(self.center, [r * x for x in u], [r * x for x in _cross(n, u)], self.radiance_nits,
+                       self.two_sided)._to_scene()
+
 
 @dataclass
 class Sphere:
@@ -115,6 +176,11 @@ class Sphere:
     def _add(self, to):
         to.sphere(_vector(self.center, "center"), self.radius_metres,
                   _color(self.radiance_nits, "radiance_nits"))
+
+    def _to_scene(self):
+        light = _emitter(_openltc.SphereLight(), self)
+        light.center, light.radius_metres = _vector(self.center, "center"), self.radius_metres
+        return light
 
 
 @dataclass
@@ -134,6 +200,12 @@ class Tube:
         to.tube(_vector(self.start, "start"), _vector(self.end, "end"), self.radius_metres,
                 kinds.index(self.caps), _color(self.radiance_nits, "radiance_nits"))
 
+    def _to_scene(self):
+        light = _emitter(_openltc.TubeLight(), self)
+        light.start, light.end = _vector(self.start, "start"), _vector(self.end, "end")
+        light.radius_metres, light.caps = self.radius_metres, ("none", "flat", "round").index(self.caps)
+        return light
+
 
 @dataclass
 class Line:
@@ -147,6 +219,12 @@ class Line:
         to.line(_vector(self.start, "start"), _vector(self.end, "end"),
                 _color(self.intensity_candela_per_metre, "intensity_candela_per_metre"))
 
+    def _to_scene(self):
+        light = _openltc.LineLight()
+        light.start, light.end = _vector(self.start, "start"), _vector(self.end, "end")
+        light.intensity_candela_per_metre = _color(self.intensity_candela_per_metre, "intensity_candela_per_metre")
+        return light
+
 
 @dataclass
 class Point:
@@ -159,6 +237,11 @@ class Point:
     def _add(self, to):
         to.point(_vector(self.position, "position"), _color(self.intensity_candela, "intensity_candela"),
                  self.range_metres)
+
+    def _to_scene(self):
+        light = _punctual("point", self.intensity_candela, self.range_metres)
+        light.position = _vector(self.position, "position")
+        return light
 
 
 @dataclass
@@ -178,6 +261,14 @@ class Spot:
                 _color(self.intensity_candela, "intensity_candela"), self.range_metres,
                 math.radians(self.inner_angle_degrees), math.radians(self.outer_angle_degrees))
 
+    def _to_scene(self):
+        light = _punctual("spot", self.intensity_candela, self.range_metres)
+        light.position = _vector(self.position, "position")
+        light.direction = _unit(_vector(self.direction, "direction"), "direction")
+        light.cos_inner = math.cos(math.radians(self.inner_angle_degrees))
+        light.cos_outer = math.cos(math.radians(self.outer_angle_degrees))
+        return light
+
 
 @dataclass
 class Directional:
@@ -188,6 +279,11 @@ class Directional:
 
     def _add(self, to):
         to.directional(_vector(self.direction, "direction"), _color(self.illuminance_lux, "illuminance_lux"))
+
+    def _to_scene(self):
+        light = _punctual("directional", self.illuminance_lux, 0.0)
+        light.direction = _unit(_vector(self.direction, "direction"), "direction")
+        return light
 
 
 def light_list(lights):

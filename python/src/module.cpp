@@ -6,6 +6,7 @@
 
 #include "python/src/fitted.h"
 #include "python/src/points.h"
+#include "python/src/scene.h"
 
 #include <nanobind/nanobind.h>
 
@@ -16,4 +17,7 @@ NB_MODULE(_openltc, m) {
       "What the tool would have said: which file, field or argument, and what to do.";
   openltc::python::bind_fit(m);
   openltc::python::bind_points(m);
+  openltc::python::bind_scene_parts(m);
+  openltc::python::bind_scene(m);
+  openltc::python::bind_pictures(m);
 }

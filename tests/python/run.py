@@ -5,7 +5,7 @@
 
     run.py --package FOLDER --openltc TOOL [--missing FILE] [TEST...]
 
-FOLDER/openltc holds the module _openltc of a build; the package's own files are linked to it there.
+FOLDER/openltc is the package with the module of a build.
 Exit code 0: all passed; 1: one did not; 77: there is no module, and why."""
 
 import argparse
@@ -15,24 +15,6 @@ import unittest
 
 k_here = os.path.dirname(os.path.abspath(__file__))
 k_root = os.path.dirname(os.path.dirname(k_here))
-
-
-def link(source, place):
-    if os.path.lexists(place):
-        os.remove(place)
-    os.symlink(source, place)
-
-
-def make_package(folder, tool):
-    source, package = os.path.join(k_root, "python", "openltc"), os.path.join(folder, "openltc")
-    for name in os.listdir(package):
-        if os.path.islink(os.path.join(package, name)):
-            os.remove(os.path.join(package, name))
-    for name in os.listdir(source):
-        if name.endswith((".py", ".pyi", ".typed")):
-            link(os.path.join(source, name), os.path.join(package, name))
-    os.makedirs(os.path.join(package, "bin"), exist_ok=True)
-    link(tool, os.path.join(package, "bin", "openltc"))
 
 
 def main():
@@ -52,10 +34,10 @@ def main():
                 why = file.read().strip()
         print(f"skipped: the Python package, without {why}")
         return 77
-    make_package(package, os.path.abspath(arguments.openltc))
     os.environ["OPENLTC"] = os.path.abspath(arguments.openltc)
     os.environ["PYTHONPATH"] = package
     sys.path[:0] = [package, k_here]
+    os.chdir(k_root)
     loader = unittest.defaultTestLoader
     tests = loader.loadTestsFromNames(arguments.tests) if arguments.tests else loader.discover(k_here)
     return 0 if unittest.TextTestRunner(verbosity=2).run(tests).wasSuccessful() else 1
