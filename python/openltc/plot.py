@@ -2,9 +2,6 @@
 # SPDX-License-Identifier: MIT
 """Figures that explain the method, as SVG that a notebook shows: those of `openltc plot`, with its options
 as arguments. What is a file there may be a Fit here where that is said.
-
->>> openltc.plot.polygon(matrix="0.5,-0.6,0.3,0")._repr_svg_().startswith("<svg")
-True
 """
 
 from __future__ import annotations
