@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package python figures reference test bench bench-python hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web cross clean
+.PHONY: help setup build build-all build-checked demo lights package python figures reference test bench bench-python hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web web-test cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -57,6 +57,10 @@ web: build ## Make the npm package for three.js, and fetch three.js for its exam
 	@node web/three/build.mjs build/release/bin/openltc out/web/openltc-three
 	@cp tests/web/package.json tests/web/package-lock.json out/web
 	@npm ci --prefix out/web --ignore-scripts --no-audit --no-fund
+
+web-test: build ## Test the npm package with three releases of three.js, on all of their renderers
+	@/usr/bin/python3 -B tests/web/pack.py --openltc build/release/bin/openltc --work out/web-test --types
+	@/usr/bin/python3 -B tests/web/three.py --openltc build/release/bin/openltc --work out/web-test --all
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh

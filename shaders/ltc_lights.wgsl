@@ -1068,18 +1068,23 @@ fn ltc_reflectance_of_weight(s: ltc_Surface, weight: f32, filled: f32) -> vec3f 
   return ltc_within_albedo(s, fresnel * (s.fitted.n1 * filled));
 }
 
+// What a light that fills this share of the lobe has of Schlick's weight beyond that in its mean
+// direction: all of the whole lobe's, axis_weight, for one that fills it, and by the square of the share
+// less for others, since it comes from the lobe's rim, which a light around its middle does not reach.
+fn ltc_weight_of_rim(s: ltc_Surface, share: f32) -> f32 { return share * share * s.axis_weight; }
+
 // Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
 // from around wi.
 //
 // F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 // from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
-// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus what the
-// whole lobe has beyond its mean direction in proportion to the share: exact for a small light,
-// w(wi), and for one that fills the hemisphere, n5/n1.
+// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
+// exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
 //
 // `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
 fn ltc_reflectance_of_part(s: ltc_Surface, wi: vec3f, share: f32, filled: f32) -> vec3f {
-  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + share * s.axis_weight, filled);
+  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share),
+                                   filled);
 }
 
 // What the specular part of a light is multiplied by so that a small one is exact: near its mean
@@ -2592,8 +2597,9 @@ const ltc_k_line_pieces: i32 = 6;
 
 // Means over a segment, weighted by the lobe.
 struct ltc_SegmentRatio {
-  scale: f32, // of blended_ratio
-  bias: f32,  // of blended_ratio times Schlick's weight
+  scale: f32,  // of blended_ratio
+  bias: f32,   // of blended_ratio times Schlick's weight
+  direct: f32, // Schlick's weight in the mean direction of the whole segment
 }
 
 // blended_ratio of a long light: a mean over pieces that span equal angles in cosine space, each taken in
@@ -2623,6 +2629,7 @@ fn ltc_segment_ratio(s: ltc_Surface, lobe: ltc_Lobe, a: vec3f, b: vec3f,
   var mean: ltc_SegmentRatio;
   mean.scale = 0.0;
   mean.bias = 0.0;
+  var all = vec3f(0.0, 0.0, 0.0);
   for (var i = 0; i < ltc_k_line_pieces; i++) {
     let next_c = c * step_cos - n * step_sin;
     let next_n = n * step_cos + c * step_sin;
@@ -2633,12 +2640,14 @@ fn ltc_segment_ratio(s: ltc_Surface, lobe: ltc_Lobe, a: vec3f, b: vec3f,
     mean.scale = mean.scale + part;
     mean.bias = mean.bias + part * ltc_fresnel_weight(s.wo, wi);
     total = total + weight;
+    all = all + sum;
     c = next_c;
     n = next_n;
   }
   let inv_total = select(1.0 / total, 0.0, edge.outside);
   mean.scale = mean.scale * inv_total;
   mean.bias = mean.bias * inv_total;
+  mean.direct = ltc_fresnel_weight(s.wo, ltc_safe_direction(ltc_from_cosine(lobe, all)));
   return mean;
 }
 
@@ -2985,15 +2994,21 @@ fn ltc_surface_tube_integral(s: ltc_Surface, tube: ltc_Tube) -> ltc_LightIntegra
   return integral;
 }
 
-// An end of a tube's axis, shading space, lifted to the middle of what stands out of the surface there.
-fn ltc_lifted_end(s: ltc_Surface, tube: ltc_Tube, end: vec3f) -> vec3f {
-  var p = ltc_to_shading(s.frame, end - s.position);
+// Radii by which a round end lengthens the segment that stands for a tube.
+const ltc_k_round_reach: f32 = 0.7;
+
+// An end of the segment that stands for a tube, shading space: the end of its axis, `out` of it as far as
+// a round end makes it longer, lifted to the middle of what stands out of the surface there.
+fn ltc_segment_end(s: ltc_Surface, tube: ltc_Tube, end: vec3f, out_: vec3f) -> vec3f {
+  let reach = select(0.0, ltc_k_round_reach * tube.radius, ltc_has_round_caps(tube));
+  var p = ltc_to_shading(s.frame, end + out_ * reach - s.position);
   p.z = p.z + 0.5 * max(tube.radius - p.z, 0.0);
   return p;
 }
 
 // Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
-// mean along it.
+// mean along it, and so is what Schlick's weight has beyond that in the mean direction. Of that direction
+// the outline tells more: the thicker the tube, the less its axis.
 fn ltc_shade_tube_integral(s: ltc_Surface, tube: ltc_Tube,
                            integral: ltc_LightIntegral) -> ltc_ShadedLight {
   if (!s.corrected) {
@@ -3001,14 +3016,14 @@ fn ltc_shade_tube_integral(s: ltc_Surface, tube: ltc_Tube,
   }
   let share = ltc_filled_share(s, integral);
   let w = ltc_ratio_weight(integral, share);
-  let from_ = ltc_lifted_end(s, tube, tube.from_);
-  let to = ltc_lifted_end(s, tube, tube.to);
+  let axis = ltc_safe_direction(tube.to - tube.from_);
+  let from_ = ltc_segment_end(s, tube, tube.from_, -axis);
+  let to = ltc_segment_end(s, tube, tube.to, axis);
   let ratio = ltc_segment_ratio(s, s.fitted.lobe, from_, to, w);
-  // The thicker the tube, the less its axis tells of the direction that its light comes from.
   let along = ratio.scale > 0.0;
-  let direct = ltc_fresnel_weight(s.wo, integral.specular_direction);
-  let mean = direct + (ratio.bias / max(ratio.scale, ltc_k_tiny) - direct) * w;
-  let weight = select(direct, mean, along) + share * s.axis_weight;
+  let beyond = ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct;
+  let weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + select(0.0, beyond, along) +
+               ltc_weight_of_rim(s, share);
   let filled = min(share * select(1.0, ratio.scale, along), 1.0);
   var shaded: ltc_ShadedLight;
   shaded.diffuse = s.diffuse * integral.diffuse;

@@ -1059,18 +1059,23 @@ vec3 ltc_reflectance_of_weight(ltc_Surface s, float weight, float filled) {
   return ltc_within_albedo(s, fresnel * (s.fitted.n1 * filled));
 }
 
+// What a light that fills this share of the lobe has of Schlick's weight beyond that in its mean
+// direction: all of the whole lobe's, axis_weight, for one that fills it, and by the square of the share
+// less for others, since it comes from the lobe's rim, which a light around its middle does not reach.
+float ltc_weight_of_rim(ltc_Surface s, float share) { return share * share * s.axis_weight; }
+
 // Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
 // from around wi.
 //
 // F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 // from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
-// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus what the
-// whole lobe has beyond its mean direction in proportion to the share: exact for a small light,
-// w(wi), and for one that fills the hemisphere, n5/n1.
+// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
+// exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
 //
 // `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
 vec3 ltc_reflectance_of_part(ltc_Surface s, vec3 wi, float share, float filled) {
-  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + share * s.axis_weight, filled);
+  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share),
+                                   filled);
 }
 
 // What the specular part of a light is multiplied by so that a small one is exact: near its mean
@@ -2571,8 +2576,9 @@ const int ltc_k_line_pieces = 6;
 
 // Means over a segment, weighted by the lobe.
 struct ltc_SegmentRatio {
-  float scale; // of blended_ratio
-  float bias;  // of blended_ratio times Schlick's weight
+  float scale;  // of blended_ratio
+  float bias;   // of blended_ratio times Schlick's weight
+  float direct; // Schlick's weight in the mean direction of the whole segment
 };
 
 // blended_ratio of a long light: a mean over pieces that span equal angles in cosine space, each taken in
@@ -2601,6 +2607,7 @@ ltc_SegmentRatio ltc_segment_ratio(ltc_Surface s, ltc_Lobe lobe, vec3 a, vec3 b,
   ltc_SegmentRatio mean;
   mean.scale = 0.0;
   mean.bias = 0.0;
+  vec3 all = vec3(0.0, 0.0, 0.0);
   for (int i = 0; i < ltc_k_line_pieces; ++i) {
     float next_c = c * step_cos - n * step_sin;
     float next_n = n * step_cos + c * step_sin;
@@ -2611,12 +2618,14 @@ ltc_SegmentRatio ltc_segment_ratio(ltc_Surface s, ltc_Lobe lobe, vec3 a, vec3 b,
     mean.scale = mean.scale + part;
     mean.bias = mean.bias + part * ltc_fresnel_weight(s.wo, wi);
     total = total + weight;
+    all = all + sum;
     c = next_c;
     n = next_n;
   }
   float inv_total = edge.outside ? 0.0 : 1.0 / total;
   mean.scale = mean.scale * inv_total;
   mean.bias = mean.bias * inv_total;
+  mean.direct = ltc_fresnel_weight(s.wo, ltc_safe_direction(ltc_from_cosine(lobe, all)));
   return mean;
 }
 
@@ -2963,29 +2972,35 @@ ltc_LightIntegral ltc_surface_tube_integral(ltc_Surface s, ltc_Tube tube) {
   return integral;
 }
 
-// An end of a tube's axis, shading space, lifted to the middle of what stands out of the surface there.
-vec3 ltc_lifted_end(ltc_Surface s, ltc_Tube tube, vec3 end) {
-  vec3 p = ltc_to_shading(s.frame, end - s.position);
+// Radii by which a round end lengthens the segment that stands for a tube.
+const float ltc_k_round_reach = 0.7;
+
+// An end of the segment that stands for a tube, shading space: the end of its axis, `out` of it as far as
+// a round end makes it longer, lifted to the middle of what stands out of the surface there.
+vec3 ltc_segment_end(ltc_Surface s, ltc_Tube tube, vec3 end, vec3 out_) {
+  float reach = ltc_has_round_caps(tube) ? ltc_k_round_reach * tube.radius : 0.0;
+  vec3 p = ltc_to_shading(s.frame, end + out_ * reach - s.position);
   p.z = p.z + 0.5 * max(tube.radius - p.z, 0.0);
   return p;
 }
 
 // Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
-// mean along it.
+// mean along it, and so is what Schlick's weight has beyond that in the mean direction. Of that direction
+// the outline tells more: the thicker the tube, the less its axis.
 ltc_ShadedLight ltc_shade_tube_integral(ltc_Surface s, ltc_Tube tube, ltc_LightIntegral integral) {
   if (!s.corrected) {
     return ltc_shade_integral(s, integral);
   }
   float share = ltc_filled_share(s, integral);
   float w = ltc_ratio_weight(integral, share);
-  vec3 from = ltc_lifted_end(s, tube, tube.from);
-  vec3 to = ltc_lifted_end(s, tube, tube.to);
+  vec3 axis = ltc_safe_direction(tube.to - tube.from);
+  vec3 from = ltc_segment_end(s, tube, tube.from, -axis);
+  vec3 to = ltc_segment_end(s, tube, tube.to, axis);
   ltc_SegmentRatio ratio = ltc_segment_ratio(s, s.fitted.lobe, from, to, w);
-  // The thicker the tube, the less its axis tells of the direction that its light comes from.
   bool along = ratio.scale > 0.0;
-  float direct = ltc_fresnel_weight(s.wo, integral.specular_direction);
-  float mean = direct + (ratio.bias / max(ratio.scale, ltc_k_tiny) - direct) * w;
-  float weight = (along ? mean : direct) + share * s.axis_weight;
+  float beyond = ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct;
+  float weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + (along ? beyond : 0.0) +
+                 ltc_weight_of_rim(s, share);
   float filled = min(share * (along ? ratio.scale : 1.0), 1.0);
   ltc_ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;

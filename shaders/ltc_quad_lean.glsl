@@ -692,18 +692,23 @@ vec3 ltc_reflectance_of_weight(ltc_Surface s, float weight, float filled) {
   return ltc_within_albedo(s, fresnel * (s.fitted.n1 * filled));
 }
 
+// What a light that fills this share of the lobe has of Schlick's weight beyond that in its mean
+// direction: all of the whole lobe's, axis_weight, for one that fills it, and by the square of the share
+// less for others, since it comes from the lobe's rim, which a light around its middle does not reach.
+float ltc_weight_of_rim(ltc_Surface s, float share) { return share * share * s.axis_weight; }
+
 // Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
 // from around wi.
 //
 // F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 // from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
-// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus what the
-// whole lobe has beyond its mean direction in proportion to the share: exact for a small light,
-// w(wi), and for one that fills the hemisphere, n5/n1.
+// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
+// exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
 //
 // `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
 vec3 ltc_reflectance_of_part(ltc_Surface s, vec3 wi, float share, float filled) {
-  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + share * s.axis_weight, filled);
+  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share),
+                                   filled);
 }
 
 // Reflected light of a light of radiance 1.

@@ -131,8 +131,9 @@ const int k_line_pieces = 6;
 
 /// Means over a segment, weighted by the lobe.
 struct SegmentRatio {
-  Real scale; ///< of blended_ratio
-  Real bias;  ///< of blended_ratio times Schlick's weight
+  Real scale;  ///< of blended_ratio
+  Real bias;   ///< of blended_ratio times Schlick's weight
+  Real direct; ///< Schlick's weight in the mean direction of the whole segment
 };
 
 /// blended_ratio of a long light: a mean over pieces that span equal angles in cosine space, each taken in
@@ -161,6 +162,7 @@ FN_CALL SegmentRatio segment_ratio(Surface s, Lobe lobe, Vec3 a, Vec3 b, Real w)
   SegmentRatio mean;
   mean.scale = Real(0.0);
   mean.bias = Real(0.0);
+  Vec3 all = Vec3(Real(0.0), Real(0.0), Real(0.0));
   for (int i = 0; i < k_line_pieces; ++i) {
     Real next_c = c * step_cos - n * step_sin;
     Real next_n = n * step_cos + c * step_sin;
@@ -171,12 +173,14 @@ FN_CALL SegmentRatio segment_ratio(Surface s, Lobe lobe, Vec3 a, Vec3 b, Real w)
     mean.scale = mean.scale + part;
     mean.bias = mean.bias + part * fresnel_weight(s.wo, wi);
     total = total + weight;
+    all = all + sum;
     c = next_c;
     n = next_n;
   }
   Real inv_total = select(edge.outside, Real(0.0), Real(1.0) / total);
   mean.scale = mean.scale * inv_total;
   mean.bias = mean.bias * inv_total;
+  mean.direct = fresnel_weight(s.wo, safe_direction(from_cosine(lobe, all)));
   return mean;
 }
 

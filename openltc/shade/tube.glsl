@@ -318,23 +318,30 @@ FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
   return integral;
 }
 
-/// An end of a tube's axis, shading space, lifted to the middle of what stands out of the surface there.
-FN Vec3 lifted_end(Surface s, Tube tube, Vec3 end) {
-  Vec3 p = to_shading(s.frame, end - s.position);
+/// Radii by which a round end lengthens the segment that stands for a tube.
+CONSTANT k_round_reach = 0.7;
+
+/// An end of the segment that stands for a tube, shading space: the end of its axis, `out` of it as far as
+/// a round end makes it longer, lifted to the middle of what stands out of the surface there.
+FN Vec3 segment_end(Surface s, Tube tube, Vec3 end, Vec3 out) {
+  Real reach = select(has_round_caps(tube), Real(k_round_reach) * tube.radius, Real(0.0));
+  Vec3 p = to_shading(s.frame, end + out * reach - s.position);
   p.z = p.z + Real(0.5) * max(tube.radius - p.z, Real(0.0));
   return p;
 }
 
 /// Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
-/// mean along it.
+/// mean along it, and so is what Schlick's weight has beyond that in the mean direction. Of that direction
+/// the outline tells more: the thicker the tube, the less its axis.
 FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral) {
   if (!s.corrected) {
     return shade_integral(s, integral);
   }
   Real share = filled_share(s, integral);
   Real w = ratio_weight(integral, share);
-  Vec3 from = lifted_end(s, tube, tube.from);
-  Vec3 to = lifted_end(s, tube, tube.to);
+  Vec3 axis = safe_direction(tube.to - tube.from);
+  Vec3 from = segment_end(s, tube, tube.from, -axis);
+  Vec3 to = segment_end(s, tube, tube.to, axis);
   SegmentRatio ratio = segment_ratio(s, s.fitted.lobe, from, to, w);
   if (s.two) {
     // Each lobe's own, in proportion to what it has of the light.
@@ -343,12 +350,12 @@ FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral)
     Real mix = part * reciprocal(max(integral.specular * s.inv_share + part, Real(k_tiny)));
     ratio.scale = ratio.scale + (second.scale - ratio.scale) * mix;
     ratio.bias = ratio.bias + (second.bias - ratio.bias) * mix;
+    ratio.direct = ratio.direct + (second.direct - ratio.direct) * mix;
   }
-  // The thicker the tube, the less its axis tells of the direction that its light comes from.
   Mask along = ratio.scale > Real(0.0);
-  Real direct = fresnel_weight(s.wo, integral.specular_direction);
-  Real mean = direct + (ratio.bias / max(ratio.scale, Real(k_tiny)) - direct) * w;
-  Real weight = select(along, mean, direct) + share * s.axis_weight;
+  Real beyond = ratio.bias / max(ratio.scale, Real(k_tiny)) - ratio.direct;
+  Real weight = fresnel_weight(s.wo, integral.specular_direction) +
+                select(along, beyond, Real(0.0)) + weight_of_rim(s, share);
   Real filled = min(share * select(along, ratio.scale, Real(1.0)), Real(1.0));
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;

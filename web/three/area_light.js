@@ -28,11 +28,15 @@ class Frame {
   }
 }
 
+// Says to three.js's own shadows that there is no map to draw; ours are rays (shadows.js).
+const noShadowMap = {autoUpdate: false, needsUpdate: false};
+
 /// A light with a shape. `color` is linear, a factor.
 export class AreaLight extends Light {
   constructor(color, intensity) {
     super(color, intensity);
     this.isAreaLight = true;
+    this.shadow = noShadowMap;
   }
 
   /// Its place in the world, less `origin`, a Vector3.

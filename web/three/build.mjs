@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// Makes the npm package of this folder: its files, and shaders.js, which `openltc shaders` gives.
+// Makes the npm package of this folder: its files, and shaders_*.js, which `openltc shaders` gives.
 //
 //   node web/three/build.mjs OPENLTC FOLDER
 //
@@ -32,7 +32,7 @@ function definitions(text) {
     const part = text.slice(begin, i + 1).trim();
     begin = i + 1;
     if (part.startsWith('precision ')) continue; // three.js has its own, high by default
-    const name = part.match(/^(?:struct\s+|const\s+\w+\s+|\w+\s+)(\w+)/)?.[1];
+    const name = part.match(/^(?:struct\s+|fn\s+|const\s+(?:\w+\s+)?|\w+\s+)(openltc_\w+)/)?.[1];
     if (!name?.startsWith(prefix)) throw new Error('a definition without a name of ours: ' + part.slice(0, 80));
     found.push([name, part]);
   }
@@ -40,10 +40,10 @@ function definitions(text) {
   return found;
 }
 
-function shaders(openltc) {
+function shaders(openltc, language) {
   const folder = mkdtempSync(join(tmpdir(), 'openltc-three-'));
   try {
-    execFileSync(openltc, ['shaders', '--language', 'glsl-es', '--lean', '--shapes', 'quad,polygon,disk,sphere,tube,line',
+    execFileSync(openltc, ['shaders', '--language', language, '--lean', '--shapes', 'quad,polygon,disk,sphere,tube,line,textured',
                            '--prefix', prefix, '--quiet', '-o', folder]);
     const [name] = readdirSync(folder);
     return definitions(code(readFileSync(join(folder, name), 'utf8')));
@@ -62,7 +62,8 @@ mkdirSync(folder, {recursive: true});
 for (const name of readdirSync(here))
   if (/\.(js|d\.ts|md|json)$/.test(name)) cpSync(join(here, name), join(folder, name));
 cpSync(join(here, '../../LICENSE'), join(folder, 'LICENSE'));
-writeFileSync(join(folder, 'shaders.js'), `// Made by build.mjs of \`openltc shaders\`; MIT licence.
-/// The closed form of area lights, GLSL ES 3.00: [name, text] of each definition, each after those that it names.
-export const definitions = ${JSON.stringify(shaders(openltc), null, 1)};
+for (const [file, language] of [['shaders_glsl.js', 'glsl-es'], ['shaders_wgsl.js', 'wgsl']])
+  writeFileSync(join(folder, file), `// Made by build.mjs of \`openltc shaders --language ${language}\`; MIT licence.
+/// The closed form of area lights: [name, text] of each definition, each after those that it names.
+export const definitions = ${JSON.stringify(shaders(openltc, language), null, 1)};
 `);

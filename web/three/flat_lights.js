@@ -7,7 +7,7 @@ import {SurfaceLight} from './area_light.js';
 import {circle} from './circle.js';
 import {outlineOf} from './polygon.js';
 
-/// What lights in a plane have: `twoSided`.
+// What lights in a plane have: `twoSided`.
 class PlanarLight extends SurfaceLight {
   constructor(color, luminance, twoSided) {
     super(color, luminance);
@@ -16,18 +16,29 @@ class PlanarLight extends SurfaceLight {
 
   get sides() { return this.twoSided ? 2 : 1; }
 
-  // Middle and half axes; the light emits along half_u x half_v.
-  halves(frame, u, v) {
-    return [[...frame.position, this.sides - 1], [...frame.vector(u, 0), 0], [...frame.vector(0, -v), 0]];
-  }
-
   copy(source, recursive) {
     return super.copy(source, recursive).copyOwn(source, 'twoSided');
   }
 }
 
+/// One with axes: its `texture`, a Texture or null, fills the rectangle around it, and is upright for who looks at the
+/// emitting side. The luminance is that of white.
+class FramedLight extends PlanarLight {
+  texture = null;
+
+  // Middle and half axes; the light emits along half_u x half_v. From there -x is to the right, so that a picture's
+  // lower left corner is at middle - half_u - half_v.
+  halves(frame, u, v) {
+    return [[...frame.position, this.sides - 1], [...frame.vector(-u, 0), 0], [...frame.vector(0, v), 0]];
+  }
+
+  copy(source, recursive) {
+    return super.copy(source, recursive).copyOwn(source, 'texture');
+  }
+}
+
 /// A rectangle, as three's RectAreaLight.
-export class RectLight extends PlanarLight {
+export class RectLight extends FramedLight {
   constructor(color, luminance, width = 1, height = 1, twoSided = false) {
     super(color, luminance, twoSided);
     this.type = 'RectLight';
@@ -94,7 +105,7 @@ export class PolygonLight extends PlanarLight {
 }
 
 /// An ellipse, exact.
-export class EllipseLight extends PlanarLight {
+export class EllipseLight extends FramedLight {
   constructor(color, luminance, radiusX = 0.5, radiusY = 0.5, twoSided = false) {
     super(color, luminance, twoSided);
     this.type = 'EllipseLight';
@@ -115,7 +126,7 @@ export class EllipseLight extends PlanarLight {
 }
 
 /// A disk: an ellipse of one radius.
-export class DiskLight extends PlanarLight {
+export class DiskLight extends FramedLight {
   constructor(color, luminance, radius = 0.5, twoSided = false) {
     super(color, luminance, twoSided);
     this.type = 'DiskLight';

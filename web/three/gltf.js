@@ -3,7 +3,7 @@
 //
 // Lights of glTF files, as `openltc render` reads them: EXT_lights_area, and openltc_light in a node's extras.
 
-import {Color} from 'three';
+import {Color, LoaderUtils, Object3D, SRGBColorSpace, TextureLoader} from 'three';
 import {DiskLight, EllipseLight, PolygonLight, RectLight} from './flat_lights.js';
 import {LineLight, SphereLight, TubeLight} from './round_lights.js';
 
@@ -109,6 +109,12 @@ export class GLTFAreaLights {
 
   /// Called by GLTFLoader for each node; the node gets the light.
   createNodeAttachment(index) {
+    const sources = this.sourcesOf(index);
+    return sources.length === 0 ? null : this.makeLights(sources, this.parser.json.nodes[index].name);
+  }
+
+  // What describes lights of a node: which field it is, and a function that reads it.
+  sourcesOf(index) {
     const {json} = this.parser, node = json.nodes[index], reference = node.extensions?.[extension]?.light;
     const sources = [];
     if (reference !== undefined)
@@ -118,24 +124,40 @@ export class GLTFAreaLights {
         return fromExtension(light);
       }]);
     if (node.extras?.[own] !== undefined) sources.push([`nodes[${index}].extras.${own}`, () => propertiesOf(node.extras)]);
-    const lights = sources.map(([field, read]) => this.makeLight(field, read, node.name)).filter(Boolean);
-    if (lights.length === 0) return null;
-    lights[0].add(...lights.slice(1));
-    return Promise.resolve(lights[0]);
+    return sources;
   }
 
-  makeLight(field, read, name) {
+  async makeLights(sources, name) {
+    const made = await Promise.all(sources.map(([field, read]) => this.makeLight(field, read, name)));
+    const lights = made.filter(Boolean);
+    if (lights.length === 0) return new Object3D(); // GLTFLoader wants one
+    for (const other of lights.slice(1)) lights[0].add(other);
+    return lights[0];
+  }
+
+  async makeLight(field, read, name) {
     try {
       const p = new Properties(read() ?? {});
       if (!Object.hasOwn(types, p.values.type)) throw new Error(`type "${p.values.type}" is no light with an area`);
       const light = types[p.values.type](p);
       light.name = name ?? '';
-      this.brightness.set(light, brightnessOf(p, light));
+      const picture = light.texture === null ? p.get('texture') : undefined, brightness = brightnessOf(p, light);
+      if (picture !== undefined) light.texture = await this.loadPicture(picture);
+      this.brightness.set(light, brightness);
       return light;
     } catch (error) {
       console.warn(`openltc-three: ${field}: ${error.message}; the light is left out`);
       return null;
     }
+  }
+
+  async loadPicture(name) {
+    if (typeof name !== 'string' || !/\.(png|jpe?g|webp)$/i.test(name))
+      throw new Error(`texture "${name}" is no .png, .jpg or .webp`);
+    const {path, manager, crossOrigin} = this.parser.options;
+    const loader = new TextureLoader(manager).setCrossOrigin(crossOrigin), url = LoaderUtils.resolveURL(name, path);
+    const texture = await loader.loadAsync(url).catch(() => { throw new Error(`texture "${name}" cannot be read`); });
+    return Object.assign(texture, {name, colorSpace: SRGBColorSpace});
   }
 
   /// Called by GLTFLoader at the end.

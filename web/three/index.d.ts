@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-import type {BufferGeometry, Camera, ColorRepresentation, Light, LineBasicMaterial, LineSegments, Scene, Vector2} from 'three';
+import type {BufferGeometry, Camera, ColorRepresentation, Light, LineBasicMaterial, LineSegments, Scene, Texture, Vector2} from 'three';
 
 /** A corner of an outline: metres, in the light's xy plane. */
 export type Corner = Vector2 | readonly [number, number];
@@ -9,6 +9,8 @@ export type Corner = Vector2 | readonly [number, number];
 /** What all lights have. Emission is the same in all directions; `color` is a factor. */
 export abstract class AreaLight extends Light {
   readonly isAreaLight: true;
+  /** Whether it has shadows, by enableAreaShadows of openltc-three/shadows; false by default. */
+  castShadow: boolean;
   /** Lumens of the whole light. Setting it sets the luminance or intensity. */
   power: number;
 }
@@ -30,8 +32,19 @@ export abstract class PlanarLight extends SurfaceLight {
   twoSided: boolean;
 }
 
+/** A light in its plane that can show a picture. */
+export abstract class FramedLight extends PlanarLight {
+  /**
+   * Fills the rectangle around the light, upright for who looks at the emitting side, and multiplies the luminance,
+   * which is that of white. Its alpha and its uv transform do not count. A light whose texture has no image yet
+   * shines white. After a change set the texture's needsUpdate. Of a scene four lights have pictures, others the
+   * mean of theirs.
+   */
+  texture: Texture | null;
+}
+
 /** A rectangle, as three's RectAreaLight. */
-export class RectLight extends PlanarLight {
+export class RectLight extends FramedLight {
   /** Nits; metres, 1 by default. */
   constructor(color?: ColorRepresentation, luminance?: number, width?: number, height?: number, twoSided?: boolean);
   width: number;
@@ -53,7 +66,7 @@ export class PolygonLight extends PlanarLight {
 }
 
 /** An ellipse, exact. */
-export class EllipseLight extends PlanarLight {
+export class EllipseLight extends FramedLight {
   /** Nits; metres, 0.5 by default. */
   constructor(color?: ColorRepresentation, luminance?: number, radiusX?: number, radiusY?: number, twoSided?: boolean);
   radiusX: number;
@@ -61,7 +74,7 @@ export class EllipseLight extends PlanarLight {
 }
 
 /** A disk, exact. */
-export class DiskLight extends PlanarLight {
+export class DiskLight extends FramedLight {
   /** Nits; metres, 0.5 by default. */
   constructor(color?: ColorRepresentation, luminance?: number, radius?: number, twoSided?: boolean);
   radius: number;
@@ -100,8 +113,8 @@ export class LineLight extends AreaLight {
 /** The lights of a scene. */
 export interface SceneLights {
   /**
-   * Prepares materials for the lights that `camera` sees now, before renderer.compile or compileAsync. World
-   * matrices must be right. Before a picture it is called by itself.
+   * Prepares materials for the lights that `camera` sees now, before compile or compileAsync of WebGLRenderer. World
+   * matrices must be right. Before a picture, and by WebGPURenderer always, it is called by itself.
    */
   update(camera: Camera): void;
   /** Ends it: the scene's onBeforeRender and onAfterRender are what they were. */
@@ -109,8 +122,8 @@ export interface SceneLights {
 }
 
 /**
- * Lets the area lights of a scene shine, from the next picture of WebGLRenderer on. Call it once a scene; if you
- * set its onBeforeRender or onAfterRender, do so before.
+ * Lets the area lights of a scene shine, from the next picture on: of WebGLRenderer, or, where it comes from
+ * openltc-three/webgpu, of WebGPURenderer. Call it once a scene; if you set its onBeforeRender or onAfterRender, do so before.
  */
 export function enableAreaLights(scene: Scene): SceneLights;
 
@@ -132,5 +145,16 @@ export class AreaLightHelper extends LineSegments<BufferGeometry, LineBasicMater
  */
 export class GLTFAreaLights {
   constructor(parser: object);
+  readonly name: string;
+}
+
+/**
+ * A plugin of GLTFExporter, which writes lights as GLTFAreaLights and `openltc render` read them:
+ * `exporter.register(writer => new GLTFAreaLightsExport(writer))`. Rectangles and disks of one side become
+ * EXT_lights_area, others openltc_light in the node's extras. A light's picture is not part of the file, which names it
+ * as the texture is named.
+ */
+export class GLTFAreaLightsExport {
+  constructor(writer: object);
   readonly name: string;
 }

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
+//
+// The entry for WebGLRenderer.
 
-export {GLTFAreaLights} from './gltf.js';
-export {AreaLightHelper} from './helper.js';
-export {DiskLight, EllipseLight, PolygonLight, RectLight} from './flat_lights.js';
-export {LineLight, SphereLight, TubeLight} from './round_lights.js';
+export * from './lights.js';
 export {enableAreaLights} from './scene.js';

@@ -3,21 +3,24 @@
 //
 // All lights of a scene in one texture: four-component elements, a row of 256 after the other.
 //
-// A light is a head and its shape's elements: the head is its radiance and the number of elements to the next
-// light. Lights of a shape stand together. Positions are relative to the camera, axes those of the world, so that
-// single precision serves scenes far from their origin.
+// First stands where what is: for each shape where its first light begins and its last one ends, and the origin of
+// positions. A light is a head and its shape's elements: the head is its radiance and the number of elements to the
+// next light, below 0 where it casts shadows. Lights of a shape stand together. Positions are relative to the origin, the camera's place, axes those
+// of the world, so that single precision serves scenes far from theirs.
 
-import {DataTexture, FloatType, NearestFilter, RGBAFormat, Vector2} from 'three';
+import {DataTexture, FloatType, NearestFilter, RGBAFormat} from 'three';
 
-export const rowLength = 256; // the shader takes an index apart by 255 and 8
+const rowLength = 256; // shaders take an index apart by 255 and 8
 
 /// In the order in which they stand in the texture.
-export const shapes = ['quad', 'polygon', 'ellipse', 'sphere', 'tube', 'line'];
+export const shapes = ['quad', 'polygon', 'ellipse', 'sphere', 'tube', 'line', 'quad_picture', 'ellipse_picture'];
+
+/// The element that says where the lights of a shape are, and the one that has the origin.
+export const heads = Object.fromEntries(shapes.map((shape, i) => [shape, i])), originIndex = shapes.length;
 
 export class LightRows {
   constructor() {
-    /// For each shape where its first light begins and its last one ends.
-    this.ranges = Object.fromEntries(shapes.map(shape => [shape, new Vector2()]));
+    this.casts = false; // whether any light casts shadows
     this.reserve(1);
   }
 
@@ -29,18 +32,20 @@ export class LightRows {
     this.rows = rows;
   }
 
-  /// Writes the lights, as seen from `origin`, a Vector3.
+  /// Writes the lights, each with its shape and a factor of its colour, as seen from `origin`, a Vector3.
   write(lights, origin) {
-    const elements = [];
+    const elements = Array(shapes.length + 1);
+    this.casts = lights.some(({light}) => light.castShadow);
     for (const shape of shapes) {
-      this.ranges[shape].x = elements.length;
-      for (const light of lights)
-        if (light.shape === shape) {
-          const frame = light.frame(origin), own = light.elements(frame), radiance = light.radiance(frame);
-          elements.push([...light.color.toArray().map(c => c * radiance), own.length + 1], ...own);
-        }
-      this.ranges[shape].y = elements.length;
+      const begin = elements.length;
+      for (const {light, factor} of lights.filter(one => one.shape === shape)) {
+        const frame = light.frame(origin), own = light.elements(frame), radiance = light.radiance(frame);
+        const next = light.castShadow ? -own.length - 1 : own.length + 1;
+        elements.push([...light.color.toArray().map((c, k) => c * factor[k] * radiance), next], ...own);
+      }
+      elements[heads[shape]] = [begin, elements.length, 0, 0];
     }
+    elements[originIndex] = [...origin.toArray(), 0];
     const rows = Math.ceil(elements.length / rowLength);
     if (rows > this.rows) this.reserve(2 * rows);
     elements.forEach((element, i) => this.data.set(element, 4 * i));

@@ -1,28 +1,75 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// How the lights of a scene get into the materials of WebGLRenderer: before each picture the scene's
-// `onBeforeRender` writes them into a texture, and gives each standard and physical material that it meets the
-// shader for the shapes that are there.
+// How the lights of a scene get into the materials of WebGLRenderer: before each picture each standard and physical
+// material of the scene is given the shader for the shapes that are there.
 
-import {Vector3} from 'three';
-import {formOf, functionsFor, statements} from './glsl.js';
-import {LightRows, shapes} from './rows.js';
+import {glsl} from './glsl.js';
+import {rayFunctions, rayStatements, ratioFunctions, sumStatements} from './rays.js';
+import {LightRows} from './rows.js';
+import {SceneLights, makeEnable} from './scene_lights.js';
+import {functionsFor, picturesOf} from './shader_text.js';
 
-const pars = '#include <lights_physical_pars_fragment>', begin = '#include <lights_fragment_begin>';
+const pars = '#include <lights_physical_pars_fragment>', begin = '#include <lights_fragment_begin>', end = '#include <dithering_fragment>';
+
+// What follows three.js's own lights in main(). The roughness is the material's own: three.js widens it where normals
+// bend within a pixel, which point lights need.
+const statements = `
+{
+  mat3 to_world = transpose(mat3(viewMatrix));
+  openltc_ShadedLight lit = openltc_shade_layer(to_world, cameraPosition, geometryPosition, geometryNormal,
+      geometryViewDir, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+      roughnessFactor);
+  reflectedLight.directDiffuse += lit.diffuse;
+  reflectedLight.directSpecular += lit.specular;
+#ifdef USE_CLEARCOAT
+  clearcoatSpecularDirect += openltc_shade_layer(to_world, cameraPosition, geometryPosition, geometryClearcoatNormal,
+      geometryViewDir, vec3(0.0), material.clearcoatF0, material.clearcoatF90,
+      material.clearcoatRoughness - geometryRoughness).specular;
+#endif
+}
+`;
 
 // Uniforms are the same objects for all materials; the scene that is rendered sets their values. Others, which share
-// its materials, find no lights.
-const none = new LightRows(), uniforms = {openltc_elements: {value: none.texture}, openltc_origin: {value: new Vector3()}};
-for (const shape of shapes) uniforms[`openltc_range_${shape}`] = {value: none.ranges[shape]};
+// its materials, find no lights. All materials have all of them, since three.js keeps those of one of its programs.
+const none = new LightRows(), pictureNames = [0, 1, 2, 3].map(k => `openltc_picture_${k}`);
+export const sharedUniforms = Object.fromEntries(
+    ['openltc_elements', ...pictureNames, 'openltc_unshadowed', 'openltc_shadowed', 'openltc_bvh', 'openltc_frame']
+        .map(name => [name, {value: null}]));
+sharedUniforms.openltc_elements.value = none.texture;
 
-const shadersOf = new Map(); // by forms of shapes, as words, the text before main()
-const formsOf = new WeakMap(); // by material, the forms that it was last compiled for
-const scenes = new WeakMap();
+/// What shadows.js adds to the shaders that send rays.
+export const tracer = {functions: ''};
 
-function functionsOf(forms) {
-  if (!shadersOf.has(forms)) shadersOf.set(forms, functionsFor(forms.split(' ')));
-  return shadersOf.get(forms);
+function setUniforms(elements, pictures) {
+  sharedUniforms.openltc_elements.value = elements;
+  pictures.forEach((picture, k) => sharedUniforms[pictureNames[k]].value = picture);
+}
+
+// What a shader does, before the forms of its shapes: the closed form alone, times the ratio of shadows, or rays.
+const ratio = 'ratio', rays = 'rays';
+
+const shadersOf = new Map(); // by that, as words, the text before main()
+const formsOf = new WeakMap(); // by material, what it was last compiled for
+
+function makeFunctions(words) {
+  const [task] = words, forms = words.filter(word => word !== ratio && word !== rays);
+  const pictures = pictureNames.slice(0, picturesOf(forms));
+  const elements = ['openltc_elements', ...pictures].map(name => `uniform highp sampler2D ${name};\n`).join('') +
+      glsl.element('openltc_elements');
+  if (task === rays) return tracer.functions + elements + rayFunctions(forms, pictures);
+  if (task === ratio) return elements + ratioFunctions + functionsFor(forms, glsl, pictures, 'openltc_radiance(head)');
+  return elements + functionsFor(forms, glsl, pictures);
+}
+
+function functionsOf(words) {
+  if (!shadersOf.has(words)) shadersOf.set(words, makeFunctions(words.split(' ')));
+  return shadersOf.get(words);
+}
+
+function statementsOf(words) {
+  const [task] = words.split(' ');
+  return task === rays ? rayStatements : (task === ratio ? '\nopenltc_ratio = openltc_ratio_here();' : '') + statements;
 }
 
 // Chains our change of the shader behind what the material has.
@@ -35,9 +82,10 @@ function take(material) {
     for (const text of [pars, begin])
       if (!shader.fragmentShader.includes(text))
         return console.warn(`openltc-three: the shader of material "${material.name}" has no ${text}: no area lights`);
-    Object.assign(shader.uniforms, uniforms);
+    Object.assign(shader.uniforms, sharedUniforms);
     shader.fragmentShader = shader.fragmentShader.replace(pars, () => `${pars}\n${functionsOf(forms)}`)
-        .replace(begin, () => begin + statements);
+        .replace(begin, () => begin + statementsOf(forms))
+        .replace(end, () => forms.startsWith(`${rays} `) ? sumStatements : end);
   };
   // The default one is the text of onBeforeCompile, which is ours now.
   const own = customProgramCacheKey === material.constructor.prototype.customProgramCacheKey
@@ -54,40 +102,39 @@ function prepare(material, forms) {
   material.needsUpdate = true;
 }
 
-class SceneLights {
-  constructor(scene) {
-    this.scene = scene;
-    this.rows = new LightRows();
-    this.origin = new Vector3();
-    this.outer = []; // values of the uniforms of pictures that are being drawn, while this one is
-    const {onBeforeRender, onAfterRender} = scene;
-    this.hooks = {onBeforeRender, onAfterRender};
-    scene.onBeforeRender = (...values) => {
-      onBeforeRender.apply(scene, values);
-      this.outer.push(Object.values(uniforms).map(uniform => uniform.value));
-      this.update(values[2]);
-    };
-    scene.onAfterRender = (...values) => {
-      this.outer.pop()?.forEach((value, i) => Object.values(uniforms)[i].value = value);
-      onAfterRender.apply(scene, values);
-    };
+class WebGLSceneLights extends SceneLights {
+  outer = []; // textures of pictures that are being drawn, while this one is
+  shadows = null; // shadows.js
+  isTracing = false;
+
+  begin(renderer, camera) {
+    this.outer.push(Object.values(sharedUniforms).map(uniform => uniform.value));
+    if (this.isTracing) return;
+    const forms = this.look(camera), casts = forms && this.rows.casts && this.shadows?.canTrace(renderer);
+    if (casts)
+      this.shadows.trace(renderer, camera, () => {
+        this.prepareMaterials(`${rays} ${forms}`);
+        this.isTracing = true;
+        try {
+          renderer.render(this.scene, camera);
+        } finally {
+          this.isTracing = false;
+        }
+      });
+    this.prepareMaterials(casts ? `${ratio} ${forms}` : forms);
   }
 
-  /// Looks at the scene as `camera` sees it. World matrices must be right.
-  update(camera) {
-    const lights = [];
-    this.scene.traverseVisible(object => {
-      if (object.isAreaLight && object.layers.test(camera.layers)) lights.push(object);
-    });
-    this.origin.setFromMatrixPosition(camera.matrixWorld);
-    this.rows.write(lights, this.origin);
-    uniforms.openltc_elements.value = this.rows.texture;
-    uniforms.openltc_origin.value = this.origin;
-    for (const shape of shapes) uniforms[`openltc_range_${shape}`].value = this.rows.ranges[shape];
-    const forms = shapes.map(shape => formOf(shape, lights.filter(light => light.shape === shape).length))
-        .filter(Boolean).join(' ');
-    this.prepareMaterials(forms);
+  end() {
+    this.outer.pop()?.forEach((value, i) => Object.values(sharedUniforms)[i].value = value);
   }
+
+  look(camera) {
+    const forms = this.collect(camera);
+    setUniforms(this.rows.texture, this.pictures);
+    return forms;
+  }
+
+  update(camera) { this.prepareMaterials(this.look(camera)); }
 
   prepareMaterials(forms) {
     const materials = new Set([this.scene.overrideMaterial]);
@@ -96,17 +143,13 @@ class SceneLights {
   }
 
   dispose() {
-    Object.assign(this.scene, this.hooks);
+    this.shadows?.dispose();
+    super.dispose();
     this.prepareMaterials('');
-    this.rows.dispose();
-    scenes.delete(this.scene);
   }
 }
 
 /// Lets the area lights of a scene shine, from the next picture on, for WebGLRenderer. Call it once a scene, after
 /// you have set its onBeforeRender and onAfterRender, if you have. Returns an object: update(camera) prepares
 /// materials for renderer.compile or compileAsync; dispose() ends it.
-export function enableAreaLights(scene) {
-  if (!scenes.has(scene)) scenes.set(scene, new SceneLights(scene));
-  return scenes.get(scene);
-}
+export const enableAreaLights = makeEnable(WebGLSceneLights);

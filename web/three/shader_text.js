@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// The shader text that a material gets, for the shapes that a scene has, in any language with braces.
+
+import {heads, originIndex} from './rows.js';
+
+// A light of each shape; i is its head.
+const element = k => `openltc_element(i + ${k})`;
+const halves = `${element(1)}.xyz, ${element(2)}.xyz, ${element(3)}.xyz, ${element(1)}.w`;
+const calls = {
+  quad: `openltc_shade_quad_parts(surface, openltc_make_quad(${halves}))`,
+  polygon: 'openltc_shade_polygon_parts(surface, i + 1)',
+  ellipse: `openltc_shade_ellipse_parts(surface, openltc_make_ellipse(${halves}))`,
+  sphere: `openltc_shade_sphere_parts(surface, openltc_make_sphere(${element(1)}.xyz, ${element(1)}.w))`,
+  tube: `openltc_shade_tube_parts(surface,
+        openltc_make_tube(${element(1)}.xyz, ${element(2)}.xyz, ${element(1)}.w, ${element(2)}.w))`,
+  line: `openltc_shade_line_parts(surface, openltc_make_line(${element(1)}.xyz, ${element(2)}.xyz))`,
+  quad_picture: picture => `openltc_shade_picture(surface,
+        openltc_surface_quad_integral(surface, openltc_make_quad(${halves})), openltc_make_quad(${halves}), ${picture})`,
+  ellipse_picture: picture => `openltc_shade_picture(surface,
+        openltc_surface_ellipse_integral(surface, openltc_make_ellipse(${halves})), openltc_make_quad(${halves}),
+        ${picture})`,
+};
+
+// `text` and what it needs of the definitions, those first.
+function withDefinitions(text, definitions) {
+  const needed = new Set(), names = new Set(definitions.map(([name]) => name));
+  const visit = part => {
+    for (const [name] of part.matchAll(/\bopenltc_\w+/g))
+      if (names.has(name) && !needed.has(name)) {
+        needed.add(name);
+        definitions.filter(([other]) => other === name).forEach(([, own]) => visit(own));
+      }
+  };
+  visit(text);
+  return definitions.filter(([name]) => needed.has(name)).map(([, own]) => own).join('\n') + '\n' + text;
+}
+
+// Round shapes are written out for so many lights: SwiftShader, which compiles one in a second, takes minutes for
+// one in a loop.
+const round = ['ellipse', 'sphere', 'tube'], mostCopies = 4;
+
+// And each picture is a texture of its own, which no loop can choose.
+const isPicture = shape => shape.endsWith('_picture');
+
+/// What a shader holds for `count` lights of a shape, beside the number itself: as a word, '' for none.
+export function formOf(shape, count) {
+  if (count === 0) return '';
+  return isPicture(shape) || (round.includes(shape) && count <= mostCopies) ? `${shape}:${count}` : shape;
+}
+
+/// How many pictures a scene's shader has, for its forms.
+export function picturesOf(forms) {
+  return forms.reduce((sum, form) => sum + (isPicture(form.split(':')[0]) ? Number(form.split(':')[1]) : 0), 0);
+}
+
+// The sum over all lights of a form; `pictures` are the names of those that are left.
+function sumOf(form, {int, pictureArgument}, pictures, radiance) {
+  const [shape, copies] = form.split(':'), call = calls[shape];
+  const body = call => `    head = openltc_element(i);
+    sum = openltc_add_light(sum, ${call}, ${radiance});
+    i += ${int}(abs(head.w));
+`;
+  const calling = isPicture(shape) ? pictures.splice(0, copies).map(name => call(pictureArgument(name)))
+                                   : Array(Number(copies ?? 0)).fill(call);
+  const lights = copies ? calling.map(one => `  if (i < end) {\n${body(one)}  }\n`).join('')
+                        : `  while (i < end) {\n${body(call)}  }\n`;
+  return `  head = openltc_element(${heads[shape]});
+  i = ${int}(head.x);
+  end = ${int}(head.y);
+${lights}`;
+}
+
+// A light with a picture: its integral, and what each part of the surface's reflection sees of the picture, which
+// fills a rectangle.
+function pictureFunction({fn, pictureParameters, pictureArgument}) {
+  const seen = (lobe, direction) => `openltc_emission_seen_part(rectangle, ${pictureArgument('picture')},
+      surface.position, surface.frame, ${lobe}, integral.${direction}, openltc_front_shading(surface), false)`;
+  return fn('openltc_ShadedLight', 'openltc_shade_picture',
+            [['openltc_Surface', 'surface'], ['openltc_LightIntegral', 'integral'], ['openltc_Quad', 'rectangle'],
+             ...pictureParameters('picture')],
+            `  return openltc_ShadedLight(openltc_shade_integral(surface, integral).diffuse *
+      ${seen('openltc_cosine_lobe()', 'diffuse_direction')},
+      openltc_shade_integral(surface, integral).specular *
+      ${seen('surface.fitted.lobe', 'specular_direction')});
+`);
+}
+
+/// Functions for the forms of a scene's shapes, in the words of a language (glsl.js). They call
+/// `vec4 openltc_element(int i)`, element i of LightRows, which stands before them, and look at as many `pictures`,
+/// names of textures, as picturesOf(forms) says. `radiance` is that of a light, of its head.
+///
+/// openltc_shade_layer is the light of a layer of the material. Position, normal and the direction to the eye are in
+/// the axes of three.js's view, to_world turns them; `eye` is the camera's place in the world.
+export function functionsFor(forms, words, pictures, radiance = 'head.rgb') {
+  const {int, real, vec3, vec4, mat3, definitions, fn, variable} = words, light = 'openltc_ShadedLight';
+  const zero = `${light}(${vec3}(0.0), ${vec3}(0.0))`;
+  const left = [...pictures];
+  return fn(vec4, 'openltc_polygon_data', [[int, 'i']], '  return openltc_element(i);\n') + withDefinitions([
+    pictures.length ? pictureFunction(words) : '',
+    fn(light, 'openltc_add_light', [[light, 'sum'], [light, 'light'], [vec3, 'radiance']],
+       `  return ${light}(sum.diffuse + radiance * light.diffuse, sum.specular + radiance * light.specular);\n`),
+    fn(light, 'openltc_shade_lights', [['openltc_Surface', 'surface']],
+       variable(light, 'sum', zero) + variable(int, 'i', '0') + variable(int, 'end', '0') +
+       variable(vec4, 'head', `${vec4}(0.0)`) + forms.map(form => sumOf(form, words, left, radiance)).join('') + '  return sum;\n'),
+    fn(light, 'openltc_shade_layer',
+       [[mat3, 'to_world'], [vec3, 'eye'], [vec3, 'position'], [vec3, 'normal'], [vec3, 'view'], [vec3, 'albedo'],
+        [vec3, 'f0'], [real, 'f90'], [real, 'roughness']],
+       `  return openltc_shade_lights(openltc_surface_at(
+      to_world * position + (eye - openltc_element(${originIndex}).xyz),
+      to_world * normal, to_world * view, albedo, f0, ${vec3}(f90), roughness));
+`),
+  ].join('\n'), definitions);
+}
