@@ -40,7 +40,8 @@ for python in "$@"; do
     "$venv/bin/pip" install --quiet --disable-pip-version-check --require-hashes -r python/requirements/build.txt
   }
   echo "== Python $version"
-  rm -rf "$work/dist"
+  # Another Python is found anew; what is compiled stays.
+  rm -rf "$work/dist" build/wheel/CMakeCache.txt
   PATH=$PWD/$venv/bin:$PATH "$venv/bin/python" -m build --wheel --no-isolation --outdir "$work/dist" . > "$work/build-$version.log" 2>&1 ||
     { tail -n 40 "$work/build-$version.log" >&2; exit 1; }
   [ -e "$out"/*.tar.gz ] || "$venv/bin/python" -m build --sdist --no-isolation --outdir "$out" . > "$work/sdist.log" 2>&1
