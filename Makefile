@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web web-test cross clean
+.PHONY: help setup build build-all build-checked demo lights package python figures reference test bench bench-python hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web web-test cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -28,9 +28,11 @@ build: setup ## Build the tool alone: build/release/bin/openltc
 	cmake --preset release -DCMAKE_CXX_COMPILER=$(release_cxx)
 	cmake --build --preset release --parallel $(JOBS) --target openltc
 
-# Tests and benchmarks too.
-build-all: build
-	@cmake --preset release -DOPENLTC_STRICT_TESTS=$(if $(findstring clang,$(release_cxx)),ON,OFF) > /dev/null
+# Tests and benchmarks too, and the Python module where Python has what that takes.
+build-all: setup
+	cmake --preset release -DCMAKE_CXX_COMPILER=$(release_cxx) \
+	  -DOPENLTC_STRICT_TESTS=$(if $(findstring clang,$(release_cxx)),ON,OFF) \
+	  $$(tools/python/prepare.sh build/release/python-venv)
 	cmake --build --preset release --parallel $(JOBS)
 
 # Library, tool and quick tests with assertions, warnings as errors, each file by itself, nothing optimised.
@@ -47,6 +49,9 @@ lights: build ## Render every shape of light by LTC and by reference, and compar
 package: build ## Make a .deb and a .tar.gz of the tool: out
 	@cpack --config build/release/CPackConfig.cmake -B out
 	@rm -r out/_CPack_Packages
+
+python: setup ## Make the Python wheels and the source distribution: out/python
+	@CXX=$(release_cxx) tools/python/make_wheels.sh $(PYTHON)
 
 web: build ## Make the npm packages, the laboratory, and fetch three.js for its example: out/web
 	@web/wasm/build.sh build/release/bin/openltc out/web $(JOBS)
@@ -71,6 +76,9 @@ test: build-all build-checked ## Run all tests, those that are quick with assert
 
 bench: build-all ## Run the benchmarks
 	@tools/bench.sh build/release/bin
+
+bench-python: build-all ## Measure the Python module beside the tool and the C++ batch API
+	@PYTHONPATH=build/release/python build/release/python-venv/bin/python -B bench/python/bench.py --bin build/release/bin
 
 hard: build ## Measure the closed form on the scenes where it is worst
 	@cmake --build --preset release --parallel $(JOBS) --target bench_hard
