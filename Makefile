@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package figures reference test bench hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web web-test cross clean
+.PHONY: help setup build build-all build-checked demo lights package python figures reference test bench bench-python hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web web-test cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -28,9 +28,11 @@ build: setup ## Build the tool alone: build/release/bin/openltc
 	cmake --preset release -DCMAKE_CXX_COMPILER=$(release_cxx)
 	cmake --build --preset release --parallel $(JOBS) --target openltc
 
-# Tests and benchmarks too.
-build-all: build
-	@cmake --preset release -DOPENLTC_STRICT_TESTS=$(if $(findstring clang,$(release_cxx)),ON,OFF) > /dev/null
+# Tests and benchmarks too, and the Python module where Python has what that takes.
+build-all: setup
+	cmake --preset release -DCMAKE_CXX_COMPILER=$(release_cxx) \
+	  -DOPENLTC_STRICT_TESTS=$(if $(findstring clang,$(release_cxx)),ON,OFF) \
+	  $$(tools/python/prepare.sh build/release/python-venv)
 	cmake --build --preset release --parallel $(JOBS)
 
 # Library, tool and quick tests with assertions, warnings as errors, each file by itself, nothing optimised.
@@ -48,14 +50,20 @@ package: build ## Make a .deb and a .tar.gz of the tool: out
 	@cpack --config build/release/CPackConfig.cmake -B out
 	@rm -r out/_CPack_Packages
 
-web: build ## Make the npm package for three.js, and fetch three.js for its example: out/web
+python: setup ## Make the Python wheels and the source distribution: out/python
+	@CXX=$(release_cxx) tools/python/make_wheels.sh $(PYTHON)
+
+web: build ## Make the npm packages, the laboratory, and fetch three.js for its example: out/web
+	@web/wasm/build.sh build/release/bin/openltc out/web $(JOBS)
 	@node web/three/build.mjs build/release/bin/openltc out/web/openltc-three
 	@cp tests/web/package.json tests/web/package-lock.json out/web
 	@npm ci --prefix out/web --ignore-scripts --no-audit --no-fund
 
-web-test: build ## Test the npm package with three releases of three.js, on all of their renderers
+web-test: web ## Test the npm packages and the laboratory: in Node, on all renderers of three releases of three.js
 	@/usr/bin/python3 -B tests/web/pack.py --openltc build/release/bin/openltc --work out/web-test --types
 	@/usr/bin/python3 -B tests/web/three.py --openltc build/release/bin/openltc --work out/web-test --all
+	@/usr/bin/python3 -B tests/web/openltc.py --openltc build/release/bin/openltc --package out/web/openltc --work out/web-test/openltc
+	@/usr/bin/python3 -B tests/web/lab.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/lab
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh
@@ -68,6 +76,9 @@ test: build-all build-checked ## Run all tests, those that are quick with assert
 
 bench: build-all ## Run the benchmarks
 	@tools/bench.sh build/release/bin
+
+bench-python: build-all ## Measure the Python module beside the tool and the C++ batch API
+	@PYTHONPATH=build/release/python build/release/python-venv/bin/python -B bench/python/bench.py --bin build/release/bin
 
 hard: build ## Measure the closed form on the scenes where it is worst
 	@cmake --build --preset release --parallel $(JOBS) --target bench_hard

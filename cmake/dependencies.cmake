@@ -37,7 +37,8 @@ endif()
 
 # Optional: PNG pictures of figures.
 find_package(PkgConfig QUIET)
-if(PKG_CONFIG_FOUND)
+option(OPENLTC_PNG_FIGURES "PNG pictures of figures, where librsvg is" ON)
+if(PKG_CONFIG_FOUND AND OPENLTC_PNG_FIGURES)
   pkg_check_modules(rsvg QUIET IMPORTED_TARGET GLOBAL librsvg-2.0)
 endif()
 if(NOT TARGET PkgConfig::rsvg)

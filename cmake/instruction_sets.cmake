@@ -57,6 +57,7 @@ function(openltc_per_instruction_set target file name)
       set_target_properties(${objects} PROPERTIES OPENLTC_FUSE ON)
     endif()
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+    set_property(GLOBAL APPEND PROPERTY OPENLTC_OBJECTS ${objects}) # for python/CMakeLists.txt
     if(ARG_DEFINE)
       string(TOUPPER ${ARG_DEFINE}_${isa} defined)
       target_compile_definitions(${target} PRIVATE ${defined})

@@ -26,3 +26,17 @@ function(openltc_library name)
   set_target_properties(openltc_${name} PROPERTIES EXPORT_NAME ${name})
   add_library(openltc::${name} ALIAS openltc_${name})
 endfunction()
+
+# Compiles these targets so that a shared library can be made of them. With hidden names, code for any
+# address is that of a program. Names that are no targets are passed over.
+function(openltc_position_independent)
+  foreach(target ${ARGN})
+    if(TARGET ${target})
+      get_target_property(type ${target} TYPE)
+      if(NOT type STREQUAL "INTERFACE_LIBRARY")
+        set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON
+          CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+      endif()
+    endif()
+  endforeach()
+endfunction()

@@ -14,6 +14,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <sys/xattr.h>
 #include <unistd.h>
@@ -181,6 +182,25 @@ Status write_atomically(const std::string& path,
   member.to = std::move(*to);
   member.file = std::move(*file);
   return group.commit();
+}
+
+Result<std::vector<std::string>> write_files(std::span<const FileBytes> files) {
+  FileGroup together;
+  std::vector<std::string> paths;
+  for (const FileBytes& file : files) {
+    const Status status = write_atomically(file.path, [&](const std::string& temporary) -> Status {
+      std::ofstream out(temporary, std::ios::binary);
+      out.write(reinterpret_cast<const char*>(file.bytes.data()),
+                std::streamsize(file.bytes.size()));
+      out.close();
+      if (!out) return Error{file.path + ": cannot write; is the disk full?"};
+      return Success{};
+    });
+    if (!status) return status.error();
+    paths.push_back(file.path);
+  }
+  if (Status status = together.commit(); !status) return status.error();
+  return paths;
 }
 
 } // namespace openltc

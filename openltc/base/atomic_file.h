@@ -7,9 +7,12 @@
 
 #include "openltc/base/result.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace openltc {
@@ -46,5 +49,20 @@ private:
   std::vector<std::unique_ptr<Member>> members_;
   FileGroup* outer_ = nullptr;
 };
+
+/// A file in memory: what a writer makes before anything of it is on a disk.
+struct FileBytes {
+  std::string path; ///< where it belongs, or its name alone
+  std::vector<std::uint8_t> bytes;
+};
+
+/// A file of text.
+inline FileBytes file_of_text(std::string path, const std::string& text) {
+  return {std::move(path), std::vector<std::uint8_t>(text.begin(), text.end())};
+}
+
+/// Writes all files or none: when one fails, older files of these names stay as they were. Returns
+/// their paths.
+Result<std::vector<std::string>> write_files(std::span<const FileBytes> files);
 
 } // namespace openltc

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <mutex>
 
 namespace openltc {
 
@@ -18,5 +19,16 @@ void parallel_for(std::int64_t count, int threads, const std::function<void(std:
 
 /// The number of threads that parallel_for with 0 uses, the calling one included.
 int thread_count();
+
+/// For std::lock_guard. Where there is one thread alone, as in WebAssembly, the standard library
+/// may have no mutex, and nothing is to be kept apart.
+#ifdef OPENLTC_ONE_THREAD
+struct Mutex {
+  void lock() {}
+  void unlock() {}
+};
+#else
+using Mutex = std::mutex;
+#endif
 
 } // namespace openltc

@@ -4,6 +4,7 @@
 #include "openltc/base/progress.h"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 namespace openltc {

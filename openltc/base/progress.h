@@ -5,12 +5,12 @@
 
 #pragma once
 
+#include "openltc/base/parallel.h"
 #include "openltc/base/result.h"
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 
 namespace openltc {
 
@@ -40,7 +40,7 @@ private:
   Progress progress_;
   std::int64_t steps_, done_ = 0;
   std::atomic<bool> cancelled_{false};
-  std::mutex mutex_;
+  Mutex mutex_;
 };
 
 } // namespace openltc

@@ -53,4 +53,30 @@ Brdf brdf_from_function(std::string name, std::function<double(Vec3d, Vec3d, dou
   return brdf;
 }
 
+Brdf brdf_from_batch(std::string name, BatchFunction f, LobeWidth width) {
+  Brdf brdf = brdf_from_function(
+      std::move(name),
+      [f](Vec3d wo, Vec3d wi, double roughness) {
+        double value = 0;
+        f(wo, {&wi, 1}, roughness, {&value, 1});
+        return value;
+      },
+      width);
+  brdf.eval_many = [f = std::move(f)](Vec3d wo, std::span<const Vec3d> wi, double roughness,
+                                      std::span<BrdfValue> values) {
+    std::vector<double> plain(wi.size());
+    f(wo, wi, roughness, plain);
+    for (std::size_t i = 0; i < wi.size(); ++i)
+      values[i] = {plain[i] * wi[i].z, 0};
+  };
+  return brdf;
+}
+
+void eval_all(const Brdf& brdf, Vec3d wo, std::span<const Vec3d> wi, double roughness,
+              std::span<BrdfValue> values) {
+  if (brdf.eval_many) return brdf.eval_many(wo, wi, roughness, values);
+  for (std::size_t i = 0; i < wi.size(); ++i)
+    values[i] = brdf.eval(wo, wi[i], roughness);
+}
+
 } // namespace openltc::brdf

@@ -40,9 +40,18 @@ struct Brdf {
   LobeWidth width = LobeWidth::alpha;
   /// Cosine included, 1/steradian. Called only with wo.z > 0 and wi.z > 0.
   std::function<BrdfValue(Vec3d wo, Vec3d wi, double roughness)> eval;
+  /// What eval gives of each wi, where many at once take less time; usually empty. Called with as
+  /// many values as directions; see eval_all.
+  std::function<void(Vec3d wo, std::span<const Vec3d> wi, double roughness,
+                     std::span<BrdfValue> values)>
+      eval_many = {};
 
   bool has_parameter() const { return !parameter.empty(); }
 };
+
+/// The values for one wo and many wi, as eval gives them; as many values as directions.
+void eval_all(const Brdf& brdf, Vec3d wo, std::span<const Vec3d> wi, double roughness,
+              std::span<BrdfValue> values);
 
 /// All built-in entries.
 std::span<const Brdf> all_brdfs();
@@ -54,5 +63,10 @@ const Brdf* find_brdf(std::string_view name);
 /// the cosine. It need not be normalised and is fitted for F = 1.
 Brdf brdf_from_function(std::string name, std::function<double(Vec3d, Vec3d, double)> f,
                         LobeWidth width = LobeWidth::alpha);
+
+/// The same from a function of many directions at once: f of each wi into values.
+using BatchFunction = std::function<void(Vec3d wo, std::span<const Vec3d> wi, double roughness,
+                                         std::span<double> values)>;
+Brdf brdf_from_batch(std::string name, BatchFunction f, LobeWidth width = LobeWidth::alpha);
 
 } // namespace openltc::brdf

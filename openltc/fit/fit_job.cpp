@@ -237,16 +237,21 @@ std::string size_note(const PackedTable& packed) {
                      facts.readers, usual, usual, packed.columns(), packed.rows());
 }
 
-Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path) {
+Result<std::vector<FileBytes>> lobes_bytes(const FittedLobes& fitted, const std::string& path) {
   if (const auto* polynomial = std::get_if<table::LobePolynomial>(&fitted.stored)) {
-    if (Status status = table::write_polynomial(*polynomial, path); !status) return status.error();
-    return std::vector<std::string>{path};
+    Result<FileBytes> file = table::polynomial_bytes(*polynomial, path);
+    if (!file) return file.error();
+    return std::vector<FileBytes>{std::move(*file)};
   }
-  if (is_builtin_source(path)) {
-    if (Status status = table::write_table(*fitted.nodes, path); !status) return status.error();
-    return std::vector<std::string>{path};
-  }
-  return table::write_packed(std::get<PackedTable>(fitted.stored), path);
+  if (is_builtin_source(path))
+    return std::vector<FileBytes>{file_of_text(path, table::to_builtin_source(*fitted.nodes))};
+  return table::packed_bytes(std::get<PackedTable>(fitted.stored), path);
+}
+
+Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path) {
+  const Result<std::vector<FileBytes>> files = lobes_bytes(fitted, path);
+  if (!files) return files.error();
+  return write_files(*files);
 }
 
 } // namespace openltc::fit

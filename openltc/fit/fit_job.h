@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "openltc/base/atomic_file.h"
 #include "openltc/base/progress.h"
 #include "openltc/base/result.h"
 #include "openltc/brdf/brdf.h"
@@ -86,7 +87,10 @@ Candidate limit_of(const brdf::Brdf& brdf, const FittedLobes& fitted);
 /// One line where engines that read this layout expect another size; otherwise empty.
 std::string size_note(const table::PackedTable& packed);
 
-/// Writes one file, or the two of a layout with two textures; returns their paths.
+/// One file, or those of a layout of several textures, in memory.
+Result<std::vector<FileBytes>> lobes_bytes(const FittedLobes& fitted, const std::string& path);
+
+/// Writes the files of lobes_bytes, all or none; returns their paths.
 Result<std::vector<std::string>> write_lobes(const FittedLobes& fitted, const std::string& path);
 
 } // namespace openltc::fit

@@ -17,6 +17,7 @@
 
 #include "openltc/fit/quadrature.h"
 
+#include "openltc/base/parallel.h"
 #include "openltc/target/shade_f64.h"
 
 #include <fmt/format.h>
@@ -60,9 +61,9 @@ GaussRule make_gauss(int n) {
 }
 
 const GaussRule& gauss(int n) {
-  static std::mutex mutex;
+  static Mutex mutex;
   static std::map<int, GaussRule> rules;
-  const std::lock_guard<std::mutex> lock(mutex);
+  const std::lock_guard<Mutex> lock(mutex);
   const auto found = rules.find(n);
   return found != rules.end() ? found->second : rules.emplace(n, make_gauss(n)).first->second;
 }
@@ -105,12 +106,19 @@ HalfVectors half_vectors_of(const brdf::Brdf& brdf, double roughness) {
   constexpr double k_nothing = 1e-7;
   const double step = -std::log(k_smallest) / n;
   const auto slope = [&](int i) { return k_smallest * std::exp((i + 0.5) * step); };
+  std::vector<Vec3d> wi;
+  for (int i = 0; i < n; ++i) {
+    const double r = slope(i);
+    const double inv = 1 / (1 + r * r);
+    wi.push_back(Vec3d(2 * r * inv, 0, (1 - r * r) * inv));
+  }
+  std::vector<brdf::BrdfValue> values(wi.size());
+  brdf::eval_all(brdf, Vec3d(0, 0, 1), wi, roughness, values);
   double energy[n], sum = 0, most = 0;
   for (int i = 0; i < n; ++i) {
     const double r = slope(i);
     const double inv = 1 / (1 + r * r);
-    const Vec3d wi(2 * r * inv, 0, (1 - r * r) * inv);
-    const double value = brdf.eval(Vec3d(0, 0, 1), wi, roughness).scale;
+    const double value = values[std::size_t(i)].scale;
     energy[i] = value > 0 && std::isfinite(value) ? value * r * r * inv * inv : 0;
     sum += energy[i];
     most = std::max(most, energy[i]);
@@ -171,6 +179,10 @@ Result<Quadrature> make_rule(const brdf::Brdf& brdf, double roughness, double co
   q.density.assign(padded, 0.0);
 
   std::size_t at = 0;
+  std::vector<Vec3d> directions;         // above the horizon
+  std::vector<std::size_t> direction_at; // where they belong
+  directions.reserve(count);
+  direction_at.reserve(count);
   for (int j = 0; j < size.azimuths; ++j) {
     const double d_chi = f64::k_pi / size.azimuths;
     const Azimuth a = azimuth((j + 0.5) * d_chi, t, d_chi);
@@ -193,22 +205,28 @@ Result<Quadrature> make_rule(const brdf::Brdf& brdf, double roughness, double co
       if (!(wi.z > 0)) continue; // the last bit of r_max
       const double dr = 0.5 * s * (growth + 1 / growth) * length * rule.weight[node];
       // Both halves of the domain: 2 * 4 (wo.h) r dr dphi / (1 + r^2)^(3/2).
-      const double weight = 8 * o_dot * r * dr * a.weight * inv * inv;
-      const brdf::BrdfValue value = brdf.eval(wo, wi, roughness);
-      if (!(value.scale >= 0 && std::isfinite(value.scale) && std::isfinite(value.bias)))
-        return Error{fmt::format("brdf {}: its value is {} (Fresnel part {}) for wo {}, wi {}, "
-                                 "roughness {:.6g}; it must "
-                                 "be finite and not negative",
-                                 brdf.name, value.scale, value.bias, direction_text(wo),
-                                 direction_text(wi), roughness)};
+      q.weight[at] = 8 * o_dot * r * dr * a.weight * inv * inv;
       q.x_mirror[at] = cos_theta * wi.x + sin_theta * wi.z;
       q.y[at] = wi.y;
       q.z_mirror[at] = cos_theta * wi.z - sin_theta * wi.x;
-      q.weight[at] = weight;
-      q.density[at] = value.scale;
-      q.n1 += weight * value.scale;
-      q.n5 += weight * value.bias;
+      directions.push_back(wi);
+      direction_at.push_back(at);
     }
+  }
+  std::vector<brdf::BrdfValue> values(directions.size());
+  brdf::eval_all(brdf, wo, directions, roughness, values);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const brdf::BrdfValue& value = values[k];
+    if (!(value.scale >= 0 && std::isfinite(value.scale) && std::isfinite(value.bias)))
+      return Error{fmt::format("brdf {}: its value is {} (Fresnel part {}) for wo {}, wi {}, "
+                               "roughness {:.6g}; it must "
+                               "be finite and not negative",
+                               brdf.name, value.scale, value.bias, direction_text(wo),
+                               direction_text(directions[k]), roughness)};
+    const double weight = q.weight[direction_at[k]];
+    q.density[direction_at[k]] = value.scale;
+    q.n1 += weight * value.scale;
+    q.n5 += weight * value.bias;
   }
   if (!(q.n1 > 1e-12 && std::isfinite(q.n1)))
     return Error{fmt::format("brdf {}: it reflects nothing for wo {}, roughness {:.6g} (albedo {})",

@@ -21,7 +21,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
+#include <utility>
 
 namespace openltc::table {
 
@@ -273,20 +273,10 @@ Result<std::vector<std::string>> write_engine_files(const PackedTable& packed, c
   if (!files) return files.error();
   files->emplace_back(k_engine_description, to_bytes(description_to_json(describe(packed))));
   const std::vector<std::string> paths = engine_paths(engine, folder);
-  FileGroup together;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const Bytes& bytes = (*files)[i].second;
-    const Status status = write_atomically(paths[i], [&](const std::string& temporary) -> Status {
-      std::ofstream out(temporary, std::ios::binary);
-      out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-      out.close();
-      if (!out) return Error{paths[i] + ": cannot write; is the disk full?"};
-      return Success{};
-    });
-    if (!status) return status.error();
-  }
-  if (Status status = together.commit(); !status) return status.error();
-  return paths;
+  std::vector<FileBytes> placed;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    placed.push_back({paths[i], std::move((*files)[i].second)});
+  return write_files(placed);
 }
 
 } // namespace openltc::table

@@ -3,93 +3,21 @@
 
 #include "openltc/table/packed_file.h"
 
-#include "openltc/base/atomic_file.h"
 #include "openltc/base/regular_file.h"
 #include "openltc/table/container/container.h"
+#include "openltc/table/container/container_kind.h"
 #include "openltc/table/container/description.h"
-#include "openltc/table/container/source_code.h"
 #include "openltc/table/table_file.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <span>
 
 namespace openltc::table {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-enum class Container { dds, ktx2, exr, npy, json, c, glsl, hlsl, wgsl, js };
-
-struct ContainerFacts {
-  const char* extension;
-  Container container;
-  bool one_texture; ///< a file each
-  bool describes;   ///< has room for the description
-};
-constexpr ContainerFacts k_containers[] = {
-    {".dds", Container::dds, true, false},   {".ktx2", Container::ktx2, true, true},
-    {".exr", Container::exr, true, true},    {".npy", Container::npy, true, false},
-    {".json", Container::json, false, true}, {".h", Container::c, false, true},
-    {".glsl", Container::glsl, false, true}, {".hlsl", Container::hlsl, false, true},
-    {".wgsl", Container::wgsl, false, true}, {".js", Container::js, false, true},
-};
-
-const ContainerFacts* container_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  for (const ContainerFacts& facts : k_containers)
-    if (extension == facts.extension) return &facts;
-  return nullptr;
-}
-
-// "DIR/ggx" + "_1" + ".dds"
-std::string with_suffix(const std::string& path, const std::string& suffix) {
-  const fs::path p(path);
-  return (p.parent_path() / (p.stem().string() + suffix + p.extension().string())).string();
-}
-
-struct File {
-  std::string path;
-  Bytes bytes;
-};
-
-Bytes to_bytes(const std::string& text) { return Bytes(text.begin(), text.end()); }
-
-Status write_all(std::span<const File> files) {
-  FileGroup together;
-  for (const File& file : files) {
-    const Status status = write_atomically(file.path, [&](const std::string& temporary) -> Status {
-      std::ofstream out(temporary, std::ios::binary);
-      out.write(reinterpret_cast<const char*>(file.bytes.data()),
-                std::streamsize(file.bytes.size()));
-      out.close();
-      if (!out) return Error{file.path + ": cannot write; is the disk full?"};
-      return Success{};
-    });
-    if (!status.ok()) return status;
-  }
-  return together.commit();
-}
-
-Result<Bytes> encode(const Texture& texture, Container container, const std::string& path) {
-  switch (container) {
-  case Container::dds:
-    return encode_dds(texture);
-  case Container::ktx2:
-    return encode_ktx2(texture);
-  case Container::exr:
-    return encode_exr(texture, path);
-  default:
-    return encode_npy(texture);
-  }
-}
 
 Result<Texture> decode(ByteView bytes, Container container, const std::string& path) {
   switch (container) {
@@ -102,30 +30,6 @@ Result<Texture> decode(ByteView bytes, Container container, const std::string& p
   default:
     return decode_npy(bytes, path);
   }
-}
-
-Result<std::string> source_text(const PackedTable& packed, Container container,
-                                const std::string& path) {
-  const std::string name = fs::path(path).stem().string();
-  switch (container) {
-  case Container::c:
-    return to_source(packed, SourceLanguage::c, name);
-  case Container::glsl:
-    return to_source(packed, SourceLanguage::glsl, name);
-  case Container::hlsl:
-    return to_source(packed, SourceLanguage::hlsl, name);
-  case Container::wgsl:
-    return to_source(packed, SourceLanguage::wgsl, name);
-  case Container::js:
-    return to_source(packed, SourceLanguage::javascript, name);
-  default:
-    break;
-  }
-  if (!is_native(packed.layout) || packed.precision != Precision::float32)
-    return packed_to_json(packed);
-  const Result<LobeTable> table = unpack(packed);
-  if (!table) return table.error();
-  return to_json(*table);
 }
 
 // No table comes near: 512 x 512 texels of four numbers as JSON.
@@ -156,54 +60,10 @@ std::vector<std::string> texture_files(const std::string& path) {
 
 } // namespace
 
-Status check_packed_extension(const std::string& path) {
-  if (container_of(path)) return Success{};
-  return Error{
-      fmt::format("{}: unknown extension; a table is written as .dds .ktx2 .exr .npy .json "
-                  ".h .glsl .hlsl .wgsl or .js",
-                  path)};
-}
-
-std::vector<std::string> packed_files(Layout layout, const std::string& path) {
-  const ContainerFacts* container = container_of(path);
-  if (!container) return {};
-  if (!container->one_texture) return {path};
-  std::vector<std::string> files;
-  if (facts_of(layout).channels.size() == 1)
-    files = {path};
-  else
-    for (std::size_t t = 1; t <= facts_of(layout).channels.size(); ++t)
-      files.push_back(with_suffix(path, fmt::format("_{}", t)));
-  if (!container->describes) files.push_back(path + ".json");
-  return files;
-}
-
 Result<std::vector<std::string>> write_packed(const PackedTable& packed, const std::string& path) {
-  if (Status status = check_packed_extension(path); !status) return status.error();
-  if (Status status = check_textures(path, packed.layout, packed.textures); !status)
-    return status.error();
-  const ContainerFacts& container = *container_of(path);
-  const std::vector<std::string> paths = packed_files(packed.layout, path);
-  std::vector<File> files;
-  if (container.one_texture) {
-    for (std::size_t t = 0; t < packed.textures.size(); ++t) {
-      Texture texture = packed.textures[t];
-      texture.metadata = describe(packed);
-      texture.metadata.emplace_back("texture",
-                                    fmt::format("{} of {}", t + 1, packed.textures.size()));
-      Result<Bytes> bytes = encode(texture, container.container, paths[t]);
-      if (!bytes) return bytes.error();
-      files.push_back({paths[t], std::move(*bytes)});
-    }
-    if (!container.describes)
-      files.push_back({paths.back(), to_bytes(description_to_json(describe(packed)))});
-  } else {
-    const Result<std::string> text = source_text(packed, container.container, path);
-    if (!text) return text.error();
-    files.push_back({path, to_bytes(*text)});
-  }
-  if (Status status = write_all(files); !status) return status.error();
-  return paths;
+  const Result<std::vector<FileBytes>> files = packed_bytes(packed, path);
+  if (!files) return files.error();
+  return write_files(*files);
 }
 
 bool table_exists(const std::string& path) {

@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include "openltc/base/atomic_file.h"
 #include "openltc/base/result.h"
 #include "openltc/table/layout.h"
 
@@ -27,9 +28,11 @@ Status check_packed_extension(const std::string& path);
 /// written.
 std::vector<std::string> packed_files(Layout layout, const std::string& path);
 
-/// Writes all files of the table or none: when one fails, older files of these names stay as they
-/// were. Returns their paths. A native table in single precision as .json is the file of
-/// table_file.h.
+/// The files of the table, those of packed_files in their order, in memory. A native table in
+/// single precision as .json is the file of table_file.h.
+Result<std::vector<FileBytes>> packed_bytes(const PackedTable& packed, const std::string& path);
+
+/// Writes all files of packed_bytes or none, as write_files does. Returns their paths.
 Result<std::vector<std::string>> write_packed(const PackedTable& packed, const std::string& path);
 
 /// Whether there is a table of textures by this name: the file itself, or NAME_1 of it.

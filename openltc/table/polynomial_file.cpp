@@ -3,7 +3,6 @@
 
 #include "openltc/table/polynomial_file.h"
 
-#include "openltc/base/atomic_file.h"
 #include "openltc/base/regular_file.h"
 #include "openltc/table/container/lobe_json.h"
 #include "openltc/table/container/polynomial_source.h"
@@ -12,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -174,20 +172,21 @@ Status check_polynomial_extension(const std::string& path) {
                       "paste, or as .cpp or .inc, the source of the built-in"};
 }
 
-Status write_polynomial(const LobePolynomial& polynomial, const std::string& path) {
-  if (Status status = check_polynomial_extension(path); !status) return status;
+Result<FileBytes> polynomial_bytes(const LobePolynomial& polynomial, const std::string& path) {
+  if (Status status = check_polynomial_extension(path); !status) return status.error();
   const std::string extension = extension_of(path);
   const std::optional<SourceLanguage> language = language_of(extension);
-  const std::string text = language               ? to_source(polynomial, *language)
-                           : extension == ".json" ? to_json(polynomial)
-                                                  : to_builtin_source(polynomial);
-  return write_atomically(path, [&](const std::string& temporary) -> Status {
-    std::ofstream file(temporary, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) return Error{path + ": cannot write; is the disk full?"};
-    return Success{};
-  });
+  return file_of_text(path, language               ? to_source(polynomial, *language)
+                            : extension == ".json" ? to_json(polynomial)
+                                                   : to_builtin_source(polynomial));
+}
+
+Status write_polynomial(const LobePolynomial& polynomial, const std::string& path) {
+  const Result<FileBytes> file = polynomial_bytes(polynomial, path);
+  if (!file) return file.error();
+  const auto written = write_files({&*file, 1});
+  if (!written) return written.error();
+  return Success{};
 }
 
 } // namespace openltc::table

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "openltc/base/atomic_file.h"
 #include "openltc/base/result.h"
 #include "openltc/table/lobe_polynomial.h"
 
@@ -25,9 +26,12 @@ Result<LobePolynomial> polynomial_from_json(const std::string& text, const std::
 /// Reads a .json polynomial; errors as polynomial_from_json.
 Result<LobePolynomial> read_polynomial(const std::string& path);
 
-/// Writes by extension: .json; .cpp and .inc for the source of the built-in; .h, .glsl, .hlsl,
-/// .wgsl and .js for a function to paste (polynomial_source.h). Complete or not at all: an existing
-/// file stays when writing fails.
+/// A file by extension: .json; .cpp and .inc for the source of the built-in; .h, .glsl, .hlsl,
+/// .wgsl and .js for a function to paste (polynomial_source.h).
+Result<FileBytes> polynomial_bytes(const LobePolynomial& polynomial, const std::string& path);
+
+/// Writes the file of polynomial_bytes. Complete or not at all: an existing file stays when writing
+/// fails.
 Status write_polynomial(const LobePolynomial& polynomial, const std::string& path);
 
 /// Whether write_polynomial knows the extension of `path`; the error says which it knows.

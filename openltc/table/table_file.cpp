@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -182,13 +181,10 @@ Status check_writable_extension(const std::string& path) {
 Status write_table(const LobeTable& table, const std::string& path) {
   if (Status status = check_writable_extension(path); !status) return status;
   const std::string text = ends_with(path, ".json") ? to_json(table) : to_builtin_source(table);
-  return write_atomically(path, [&](const std::string& temporary) -> Status {
-    std::ofstream file(temporary, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) return Error{path + ": cannot write; is the disk full?"};
-    return Success{};
-  });
+  const FileBytes file = file_of_text(path, text);
+  const auto written = write_files({&file, 1});
+  if (!written) return written.error();
+  return Success{};
 }
 
 } // namespace openltc::table

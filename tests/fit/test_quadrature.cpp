@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -124,4 +125,24 @@ TEST_CASE("a BRDF that throws or has no function becomes an error") {
   empty.name = "empty";
   CHECK_FALSE(fit::make_quadrature(empty, 0.5, 0.5, {8, 8}).ok());
   CHECK_FALSE(fit::choose_quadrature(empty).ok());
+}
+
+TEST_CASE("a BRDF of batches is asked once for all directions above the surface") {
+  int calls = 0;
+  const auto lambert = brdf::brdf_from_batch(
+      "lambert", [&](Vec3d wo, std::span<const Vec3d> wi, double, std::span<double> values) {
+        ++calls;
+        REQUIRE(values.size() == wi.size());
+        for (std::size_t i = 0; i < wi.size(); ++i)
+          values[i] = wo.z > 0 && wi[i].z > 0 ? f64::k_inv_pi : -1;
+      });
+  const fit::HalfVectors half_vectors = fit::find_half_vectors(lambert, 0.5);
+  calls = 0;
+  const Result<fit::Quadrature> rule =
+      fit::make_quadrature(lambert, 0.5, std::cos(radians(50)), half_vectors, {20, 32});
+  REQUIRE(rule);
+  CHECK(calls == 1);
+  CHECK(rule->n1 == doctest::Approx(1).epsilon(1e-4)); // it reflects all
+  CHECK(lambert.eval(Vec3d(0, 0, 1), Vec3d(0.6, 0, 0.8), 0.5).scale ==
+        doctest::Approx(0.8 * f64::k_inv_pi));
 }

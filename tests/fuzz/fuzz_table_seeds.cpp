@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
       texture.metadata = describe(*packed);
       good = good && write_seed(folder, 0, name + ".dds", encode_dds(texture)) &&
              write_seed(folder, 1, name + ".ktx2", encode_ktx2(texture)) &&
-             write_seed(folder, 2, name + ".exr", encode_exr(texture, name).value()) &&
+             write_seed(folder, 2, name + ".exr", encode_exr(texture)) &&
              write_seed(folder, 3, name + ".npy", encode_npy(texture)) &&
              write_seed(folder, 4, name + ".json", bytes_of(packed_to_json(*packed))) &&
              write_seed(folder, 6, name + ".description",

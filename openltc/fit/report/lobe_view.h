@@ -17,12 +17,14 @@
 #include "openltc/target/shade_f64.h"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace openltc::fit {
 
-/// A lobe or BRDF as a density over directions of the shading frame, 1/steradian.
-using Density = std::function<double(Vec3d wi)>;
+/// A lobe or BRDF as a density over directions of the shading frame, 1/steradian: values[i] is that
+/// of wi[i]. Of many at once, since a BRDF may cost much by the call.
+using Density = std::function<void(std::span<const Vec3d> wi, std::span<double> values)>;
 
 /// rho/E of the BRDF that a quadrature is of, 0 below the horizon. `brdf` must outlive it.
 Density density_of(const brdf::Brdf& brdf, const Quadrature& quadrature);

@@ -37,21 +37,31 @@ std::vector<std::size_t> worst_cells(const ErrorMap& map, int count) {
   return chosen;
 }
 
-double cut_value(const Density& density, double degrees) {
-  const double a = degrees * f64::k_pi / 180;
-  return std::cos(a) > 0 ? density(Vec3d(-std::sin(a), 0, std::cos(a))) : 0;
+// Along the plane of incidence, 0 at its ends.
+std::vector<double> cut_values(const Density& density, const std::vector<double>& degrees) {
+  std::vector<Vec3d> directions;
+  for (const double d : degrees)
+    directions.emplace_back(-std::sin(d * f64::k_pi / 180), 0, std::cos(d * f64::k_pi / 180));
+  std::vector<double> values(degrees.size());
+  density(directions, values);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!(directions[i].z > 0)) values[i] = 0;
+  return values;
 }
 
 // The part of the plane of incidence where the BRDF or a lobe exceeds a hundredth of the peak.
 void choose_cut(const std::vector<Density>& densities, WorstCell& cell) {
   double low = 90, high = -90;
   constexpr int n = 4000;
-  for (int i = 0; i < n; ++i) {
-    const double degrees = -90 + 180 * (i + 0.5) / n;
-    for (const Density& density : densities) {
-      if (cut_value(density, degrees) < 0.01 * cell.peak) continue;
-      low = std::min(low, degrees);
-      high = std::max(high, degrees);
+  std::vector<double> degrees;
+  for (int i = 0; i < n; ++i)
+    degrees.push_back(-90 + 180 * (i + 0.5) / n);
+  for (const Density& density : densities) {
+    const std::vector<double> values = cut_values(density, degrees);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] < 0.01 * cell.peak) continue;
+      low = std::min(low, degrees[i]);
+      high = std::max(high, degrees[i]);
     }
   }
   if (!(high > low)) low = -90, high = 90;
@@ -63,11 +73,8 @@ void choose_cut(const std::vector<Density>& densities, WorstCell& cell) {
 }
 
 LobePicture picture(const Density& density, const WorstCell& cell) {
-  LobePicture result;
-  result.disc = sample_disc(density, cell.window, WorstCell::k_side);
-  for (const double degrees : cell.cut_degrees)
-    result.cut.push_back(cut_value(density, degrees));
-  return result;
+  return {sample_disc(density, cell.window, WorstCell::k_side),
+          cut_values(density, cell.cut_degrees)};
 }
 
 Result<WorstCell> describe_cell(const brdf::Brdf& brdf, const std::vector<Candidate>& candidates,

@@ -28,8 +28,9 @@ Bytes encode_ktx2(const Texture& texture);
 Bytes encode_ktx2_array(std::span<const Texture> layers);
 Result<Texture> decode_ktx2(ByteView bytes, const std::string& name);
 
-/// OpenEXR: channels R G B A, R G or R; metadata as string attributes "openltc.KEY".
-Result<Bytes> encode_exr(const Texture& texture, const std::string& name);
+/// OpenEXR, not compressed: channels R G B A, R G or R; metadata as string attributes
+/// "openltc.KEY".
+Bytes encode_exr(const Texture& texture);
 Result<Texture> decode_exr(ByteView bytes, const std::string& name);
 
 /// NumPy array, format 1.0: shape (rows, columns, channels), '<f4' or '<f2'. Holds no metadata.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 //
-// OpenEXR through the OpenEXR library, version 2.5 or 3, in memory.
+// Reads OpenEXR through the OpenEXR library, version 2.5 or 3, in memory; table_exr_writer.cpp
+// writes.
 
 #include "openltc/image/exr/exr_header.h"
 #include "openltc/table/container/container.h"
@@ -14,7 +15,6 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
-#include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
 
@@ -31,24 +31,7 @@ const std::string k_prefix = "openltc."; // of the attributes that are ours
 constexpr const char* k_channels[] = {"R", "G", "B", "A"};
 
 // A position in a file; OpenEXR 2 and 3 spell the type differently.
-using Offset = decltype(std::declval<Imf::OStream&>().tellp());
-
-class MemoryOutput : public Imf::OStream {
-public:
-  MemoryOutput() : Imf::OStream("memory") {}
-  void write(const char data[], int count) override {
-    const std::size_t end = at_ + std::size_t(count);
-    if (bytes.size() < end) bytes.resize(end);
-    std::memcpy(bytes.data() + at_, data, std::size_t(count));
-    at_ = end;
-  }
-  Offset tellp() override { return Offset(at_); }
-  void seekp(Offset to) override { at_ = std::size_t(to); }
-  Bytes bytes;
-
-private:
-  std::size_t at_ = 0;
-};
+using Offset = decltype(std::declval<Imf::IStream&>().tellg());
 
 class MemoryInput : public Imf::IStream {
 public:
@@ -86,47 +69,19 @@ void limit_header_sizes() {
 }
 
 // Whatever OpenEXR throws becomes one line.
-template <class T, class Function>
-Result<T> guarded(const std::string& name, const char* action, Function&& function) {
+template <class Function> Result<Texture> guarded(const std::string& name, Function&& function) {
   try {
     return function();
   } catch (const std::exception& e) {
     std::string text = e.what();
     std::replace(text.begin(), text.end(), '\n', ' ');
-    return Error{fmt::format("{}: cannot {} OpenEXR: {}", name, action, text)};
+    return Error{fmt::format("{}: cannot read OpenEXR: {}", name, text)};
   } catch (...) {
-    return Error{fmt::format("{}: cannot {} OpenEXR", name, action)};
+    return Error{fmt::format("{}: cannot read OpenEXR", name)};
   }
 }
 
 } // namespace
-
-Result<Bytes> encode_exr(const Texture& texture, const std::string& name) {
-  return guarded<Bytes>(name, "write", [&]() -> Result<Bytes> {
-    const Imf::PixelType type = texture.precision == Precision::float32 ? Imf::FLOAT : Imf::HALF;
-    Imf::Header header(texture.width, texture.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    for (const auto& [key, value] : texture.metadata)
-      header.insert((k_prefix + key).c_str(), Imf::StringAttribute(value));
-    Bytes texels;
-    append_values(texels, texture);
-    const std::size_t size = bytes_of(texture.precision);
-    Imf::FrameBuffer frame;
-    for (int c = 0; c < texture.channels; ++c) {
-      header.channels().insert(k_channels[c], Imf::Channel(type));
-      frame.insert(k_channels[c],
-                   slice(type, reinterpret_cast<char*>(texels.data()) + std::size_t(c) * size,
-                         std::size_t(texture.channels) * size, texture.width));
-    }
-    MemoryOutput stream;
-    {
-      Imf::OutputFile file(stream, header, 0);
-      file.setFrameBuffer(frame);
-      file.writePixels(texture.height);
-    }
-    return stream.bytes;
-  });
-}
 
 Result<Texture> decode_exr(ByteView bytes, const std::string& name) {
   static constexpr std::uint8_t magic[] = {0x76, 0x2f, 0x31, 0x01};
@@ -136,7 +91,7 @@ Result<Texture> decode_exr(ByteView bytes, const std::string& name) {
     return Error{fmt::format("{}: an attribute of the OpenEXR file's header does not fit into the "
                              "file; was it cut off?",
                              name)};
-  return guarded<Texture>(name, "read", [&]() -> Result<Texture> {
+  return guarded(name, [&]() -> Result<Texture> {
     limit_header_sizes();
     MemoryInput stream(bytes);
     Imf::InputFile file(stream, 0);

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// openltc.Fitted: lobes that were fitted, with their BRDF, so that their error can be measured when
+// somebody asks for it.
+
+#pragma once
+
+#include "openltc/fit/fit_job.h"
+#include "openltc/table/engine.h"
+#include "python/src/function_brdf.h"
+
+#include <memory>
+#include <nanobind/nanobind.h>
+#include <optional>
+#include <string>
+
+namespace openltc::python {
+
+/// What a fit makes.
+struct Fitted {
+  brdf::Brdf brdf;
+  fit::FitRequest request;
+  const table::Engine* engine = nullptr; ///< whose files it is for, or nullptr
+  std::shared_ptr<Callable> function;    ///< the BRDF, or nullptr where it is the library's
+  fit::FittedLobes lobes;
+  std::optional<fit::Report> errors; ///< without lights and worst cells
+  std::optional<fit::Report> report; ///< with all
+};
+
+/// Adds the class and openltc.fit's lower half.
+void bind_fit(nanobind::module_& m);
+
+} // namespace openltc::python

@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+"""Compiles two files of web/wasm, which include most of the library's headers, for WebAssembly. All of it takes minutes
+and is built by `make web`.
+
+    wasm_sources.py WORK
+
+Exit code 0: they compile; 1: they do not; 77: a program is missing, and which."""
+
+import os
+import shutil
+import subprocess
+import sys
+
+k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+
+def main():
+    work = os.path.join(sys.argv[1], "wasm")
+    for program in ("clang++-22", "ninja", "cmake"):
+        if not shutil.which(program):
+            print("skipped: %s not found; tools/packages.txt names what the fitter in WebAssembly needs" % program)
+            sys.exit(77)
+    if not os.path.exists("/usr/lib/wasm32-wasi/libc.a") or not os.path.isdir("/usr/include/wasm32-wasi/c++"):
+        print("skipped: the libraries for WebAssembly are missing (packages wasi-libc, libc++-22-dev-wasm32)")
+        sys.exit(77)
+    source = os.path.join(k_root, "web", "wasm")
+    for command in (["cmake", "-S", source, "-B", work, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
+                     "-DCMAKE_TOOLCHAIN_FILE=" + os.path.join(source, "toolchain.cmake")],
+                    ["ninja", "-C", work] + ["CMakeFiles/openltc.dir/%s.cpp.obj" % name for name in ("fits", "figures")]):
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode != 0:
+            print(done.stdout)
+            sys.exit(1)
+    print("compiled")
+
+
+if __name__ == "__main__":
+    main()
