@@ -385,31 +385,3 @@ FN ShadedLight shade_tube_parts(Surface s, Tube tube) {
 
 /// Light that a surface reflects of it, for radiance 1 and without shadow: shade_tube_parts, both together.
 FN Vec3 shade_tube(Surface s, Tube tube) { return both_parts(shade_tube_parts(s, tube)); }
-
-/// Area of the emitting surface, square metres.
-FN Real tube_area(Tube tube) {
-  Vec3 axis = tube.to - tube.from;
-  Real side = Real(2.0) * k_pi * tube.radius * sqrt(dot(axis, axis));
-  // Two disks, or two hemispheres.
-  return side + Real(2.0) * k_pi * tube.radius * tube.radius * tube.caps;
-}
-
-/// Mean of the emission cos^power over what one sees of a tube from afar, by projected area; `toward`
-/// is the unit direction to it. side_mean: that of its side seen at a right angle to the axis.
-///
-/// With g the angle to the axis, the side shows 2 r l sin g, its cosines sin g times those at a right
-/// angle; a round end pi r^2 of a sphere, whose mean is 2 / (power + 2); a flat one pi r^2 cos g at
-/// the cosine cos g.
-FN Real tube_emission(Tube tube, Vec3 toward, Real power, Real side_mean) {
-  Vec3 axis = tube.to - tube.from;
-  Real length2 = max(dot(axis, axis), Real(k_tiny));
-  Real cos_axis = min(abs(dot(axis, toward)) * inversesqrt(length2), Real(1.0));
-  Real sin_axis = sqrt(max(Real(1.0) - cos_axis * cos_axis, Real(0.0)));
-  Real side = Real(2.0) * sqrt(length2) * sin_axis;
-  Mask round = has_round_caps(tube);
-  Mask closed = has_caps(tube);
-  Real end = select(closed, k_pi * tube.radius * select(round, Real(1.0), cos_axis), Real(0.0));
-  Real end_mean = select(round, Real(2.0) / (power + Real(2.0)), cosine_emission(cos_axis, power));
-  Real sum = side * side_mean * cosine_emission(sin_axis, power) + end * end_mean;
-  return sum / max(side + end, Real(k_tiny));
-}
