@@ -10,10 +10,10 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 folder=$1 python=${2:-/usr/bin/python3}
+mkdir -p "$(dirname "$folder")"
 wanted=python/requirements/test.txt
 
 off() {
-  mkdir -p "$(dirname "$folder")"
   printf '%s\n' "$1" > "$folder.missing"
   echo "-DOPENLTC_PYTHON_MODULE=OFF"
   exit 0
