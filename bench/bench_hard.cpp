@@ -98,7 +98,7 @@ void add_forms(const std::string& table, const std::vector<std::string>& wanted,
   for (const NamedForm& named : k_forms) {
     if (std::find(wanted.begin(), wanted.end(), named.option) == wanted.end()) continue;
     const bool exact = named.form == render::SpecularForm::exact;
-    if (exact && table != "built-in") continue; // but for tubes no lobe has a part in it
+    if (exact && table != "built-in") continue; // no lobe has a part in it
     forms.push_back(
         {exact ? named.name : what + named.name, label,
          [lobes, form = named.form](const scene::Scene& scene, render::RenderOptions options) {

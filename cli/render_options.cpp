@@ -72,13 +72,13 @@ void add_sampling(CLI::App& command, RenderArguments& a) {
   const Choices<render::SpecularForm> specular = {{"lobe", render::SpecularForm::lobe},
                                                   {"ratio", render::SpecularForm::ratio},
                                                   {"exact", render::SpecularForm::exact}};
-  add_choice(
-      command, "--specular", a.specular,
-      "Specular light of area lights by the fitted lobe alone; times the ratio of the BRDF "
-      "to it in the direction of each light: small lights are exact then, and mean errors a "
-      "third; or, but for tubes, by GGX itself: exact, in five to ten times the time [ratio; "
-      "lobe with a --table of another BRDF than ggx and from 64 area lights on]",
-      specular);
+  add_choice(command, "--specular", a.specular,
+             "Specular light of area lights by the fitted lobe alone; times the ratio of the BRDF "
+             "to it in the direction of each light: small lights are exact then, and mean errors a "
+             "third; or by GGX itself with its Fresnel reflectance: exact, in five to ten times "
+             "the time [ratio; "
+             "lobe with a --table of another BRDF than ggx and from 64 area lights on]",
+             specular);
 }
 
 void add_lights(CLI::App& command, RenderArguments& a) {

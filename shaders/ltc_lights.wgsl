@@ -1073,18 +1073,15 @@ fn ltc_reflectance_of_weight(s: ltc_Surface, weight: f32, filled: f32) -> vec3f 
 // less for others, since it comes from the lobe's rim, which a light around its middle does not reach.
 fn ltc_weight_of_rim(s: ltc_Surface, share: f32) -> f32 { return share * share * s.axis_weight; }
 
-// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
-// from around wi.
+// Schlick's weight in the light of a share of what the lobe has above the horizon, 0..1, which comes from around
+// wi.
 //
 // F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 // from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
 // more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
 // exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
-//
-// `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
-fn ltc_reflectance_of_part(s: ltc_Surface, wi: vec3f, share: f32, filled: f32) -> vec3f {
-  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share),
-                                   filled);
+fn ltc_part_weight(s: ltc_Surface, wi: vec3f, share: f32) -> f32 {
+  return ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share);
 }
 
 // What the specular part of a light is multiplied by so that a small one is exact: near its mean
@@ -1126,7 +1123,8 @@ fn ltc_shade_integral(s: ltc_Surface, integral: ltc_LightIntegral) -> ltc_Shaded
     let w = ltc_ratio_weight(integral, share);
     filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
   }
-  shaded.specular = ltc_reflectance_of_part(s, integral.specular_direction, share, filled);
+  let weight = ltc_part_weight(s, integral.specular_direction, share);
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
   return shaded;
 }
 
@@ -2233,7 +2231,7 @@ fn ltc_quad_heights(quad: ltc_Quad, position: vec3f, normal: vec3f) -> ltc_Heigh
 // ---- polygon surface ----------------------------------------------------------------------------
 //
 // A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
-// GGX itself, along the same edges (half_vector.glsl).
+// GGX itself, along the same edges (exact/half_vector.glsl).
 
 // Both in one lane, which passes over what it does not need.
 fn ltc_polygon_integral_in_one_lane(s: ltc_Surface, polygon: i32) -> ltc_LightIntegral {
@@ -2791,15 +2789,21 @@ fn ltc_tube_end(tube: ltc_Tube, view: ltc_TubeView, center: vec3f, away: vec3f, 
   return result;
 }
 
-// 2 pi times the vector irradiance of half of an end of a thin tube: what bulges out beyond the
-// strip around its axis, as a small light (density times solid angle: docs/method.md, section 9).
+// Area of half of an end of a thin tube, which bulges out beyond the strip around its axis, at a right angle to
+// the view; less than 0 for an open end that one looks into. `facing`: the cosine between its direction and that
+// out of it along the axis.
+fn ltc_thin_end_area(tube: ltc_Tube, facing: f32) -> f32 {
+  let into = !ltc_has_caps(tube) && facing < 0.0;
+  return 0.5 * ltc_k_pi * tube.radius * tube.radius *
+         select(abs(facing), 1.0, ltc_has_round_caps(tube)) * select(1.0, -1.0, into);
+}
+
+// 2 pi times the vector irradiance of that, as a small light (density times solid angle: docs/method.md,
+// section 9).
 fn ltc_thin_end_term(tube: ltc_Tube, center: vec3f, away: vec3f, lobe: ltc_Lobe) -> vec3f {
   let distance2 = max(dot(center, center), ltc_k_tiny);
   let distance = sqrt(distance2);
-  let facing = dot(center, away) / distance;
-  let into = !ltc_has_caps(tube) && facing < 0.0;
-  let area = 0.5 * ltc_k_pi * tube.radius * tube.radius *
-             select(abs(facing), 1.0, ltc_has_round_caps(tube)) * select(1.0, -1.0, into);
+  let area = ltc_thin_end_area(tube, dot(center, away) / distance);
   // Solid angle area / r^2, in cosine space det / |M^-1 w|^3 times that, w = center / r.
   let o = ltc_to_cosine(lobe, center);
   let inv_o = inverseSqrt(max(dot(o, o), ltc_k_tiny));
@@ -2817,20 +2821,20 @@ fn ltc_tube_thickness(tube: ltc_Tube, view: ltc_TubeView, lobe: ltc_Lobe) -> f32
   return tube.radius * sqrt(ltc_lobe_stretch2(lobe) / max(dot(nearest, nearest), ltc_k_tiny));
 }
 
+// Whether a point that looks along the tube sees its closed end at `center`, shading space, `along` metres beyond
+// which it lies.
+fn ltc_sees_end(tube: ltc_Tube, center: vec3f, along: f32) -> bool {
+  return along > 0.0 && ltc_has_caps(tube) &&
+         (!ltc_has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
+}
+
 // Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
 // `cut`, of its part in front of the plane with unit normal `front` (that space).
 fn ltc_sum_tube_outline(tube: ltc_Tube, view: ltc_TubeView, lobe: ltc_Lobe, front: vec3f,
                         cut: bool) -> vec3f {
-  let round = ltc_has_round_caps(tube);
-  let closed = ltc_has_caps(tube);
   // Not beside the tube: in front of one of its ends.
-  let from_along = dot(view.from_, view.axis);
-  let to_along = dot(view.to, view.axis);
-  var see_from = from_along > 0.0 && closed;
-  var see_to = to_along < 0.0 && closed;
-  let radius2 = tube.radius * tube.radius;
-  see_from = see_from && (!round || dot(view.from_, view.from_) > radius2);
-  see_to = see_to && (!round || dot(view.to, view.to) > radius2);
+  let see_from = ltc_sees_end(tube, view.from_, dot(view.from_, view.axis));
+  let see_to = ltc_sees_end(tube, view.to, -dot(view.to, view.axis));
 
   let first = ltc_tube_end(tube, view, view.from_, -view.axis, true, see_from, lobe);
   let second = ltc_tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
@@ -2964,19 +2968,35 @@ fn ltc_tube_heights(tube: ltc_Tube, position: vec3f, normal: vec3f) -> ltc_Heigh
   return heights;
 }
 
+// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
+// is below; the end is `height` over the plane.
+fn ltc_lift_share(height: f32, radius: f32) -> f32 {
+  let share = 0.5 * (radius - height) / max(radius, ltc_k_tiny);
+  return min(max(share, 0.0), 1.0);
+}
+
+// 1 where a tube's highest point is above the horizon: below it gives nothing, rounding or not; else 0.
+fn ltc_tube_seen_above(tube: ltc_Tube, view: ltc_TubeView) -> f32 {
+  let reach = tube.radius *
+              select(sqrt(max(1.0 - view.axis.z * view.axis.z, 0.0)), 1.0, ltc_has_round_caps(tube));
+  return select(0.0, 1.0, max(view.from_.z, view.to.z) + reach > 0.0);
+}
+
 // integrate_tube; where `cut`, over what is in front of the plane with unit normal `front` (shading
 // space), over which the tube has these heights.
 fn ltc_integrate_tube_part(tube: ltc_Tube, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
                            front: vec3f, heights: ltc_Heights, cut: bool) -> ltc_LightIntegral {
   let view = ltc_tube_view(tube, position, frame);
-  // Its highest point: a tube below the horizon gives nothing, rounding or not.
-  let reach = tube.radius *
-              select(sqrt(max(1.0 - view.axis.z * view.axis.z, 0.0)), 1.0, ltc_has_round_caps(tube));
-  let seen = select(0.0, 1.0, max(view.from_.z, view.to.z) + reach > 0.0);
+  let seen = ltc_tube_seen_above(tube, view);
   return ltc_light_integral(ltc_sum_tube(tube, view, ltc_cosine_lobe(), front, heights, cut) * seen,
                             ltc_sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
                             ltc_tube_outline2(tube, view, lobe));
 }
+
+// ---- tube surface -------------------------------------------------------------------------------
+//
+// A tube as a surface sees it, and the light that it reflects of it: of a long light neither the ratio to the
+// BRDF nor Schlick's weight is that of one direction.
 
 // The integral over a tube as a surface sees it; see surface_polygon_integral.
 fn ltc_surface_tube_integral(s: ltc_Surface, tube: ltc_Tube) -> ltc_LightIntegral {
@@ -2997,13 +3017,6 @@ fn ltc_surface_tube_integral(s: ltc_Surface, tube: ltc_Tube) -> ltc_LightIntegra
 // Radii by which a round end lengthens the segment that stands for a tube.
 const ltc_k_round_reach: f32 = 0.7;
 
-// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
-// is below; the end is `height` over the plane.
-fn ltc_lift_share(height: f32, radius: f32) -> f32 {
-  let share = 0.5 * (radius - height) / max(radius, ltc_k_tiny);
-  return min(max(share, 0.0), 1.0);
-}
-
 // An end of the segment that stands for a tube: in the middle of what stands out of the surface there, and
 // over the lobe's own horizon, with unit normal `horizon`, for as long as some of the tube is.
 fn ltc_segment_end(end: vec3f, horizon: vec3f, radius: f32) -> vec3f {
@@ -3021,6 +3034,28 @@ fn ltc_tube_ratio(s: ltc_Surface, lobe: ltc_Lobe, from_: vec3f, to: vec3f, radiu
                            ltc_segment_end(to, horizon, radius), w);
 }
 
+// What the light of a tube is multiplied by, and what Schlick's weight has beyond that in its mean direction.
+struct ltc_TubeRatio {
+  scale: f32,  // mean of blended_ratio
+  beyond: f32, // see fresnel_weight
+}
+
+// Both by the pieces of its axis.
+fn ltc_ratio_of_tube(s: ltc_Surface, tube: ltc_Tube, integral: ltc_LightIntegral,
+                     share: f32) -> ltc_TubeRatio {
+  let w = ltc_ratio_weight(integral, share);
+  let axis = ltc_safe_direction(tube.to - tube.from_);
+  let reach = select(0.0, ltc_k_round_reach * tube.radius, ltc_has_round_caps(tube));
+  let from_ = ltc_to_shading(s.frame, tube.from_ - axis * reach - s.position);
+  let to = ltc_to_shading(s.frame, tube.to + axis * reach - s.position);
+  let ratio = ltc_tube_ratio(s, s.fitted.lobe, from_, to, tube.radius, w);
+  let along = ratio.scale > 0.0;
+  var result: ltc_TubeRatio;
+  result.beyond = select(0.0, ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct, along);
+  result.scale = select(1.0, ratio.scale, along);
+  return result;
+}
+
 // Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
 // mean along it, and so is what Schlick's weight has beyond that in the mean direction. Of that direction
 // the outline tells more: the thicker the tube, the less its axis.
@@ -3030,17 +3065,10 @@ fn ltc_shade_tube_integral(s: ltc_Surface, tube: ltc_Tube,
     return ltc_shade_integral(s, integral);
   }
   let share = ltc_filled_share(s, integral);
-  let w = ltc_ratio_weight(integral, share);
-  let axis = ltc_safe_direction(tube.to - tube.from_);
-  let reach = select(0.0, ltc_k_round_reach * tube.radius, ltc_has_round_caps(tube));
-  let from_ = ltc_to_shading(s.frame, tube.from_ - axis * reach - s.position);
-  let to = ltc_to_shading(s.frame, tube.to + axis * reach - s.position);
-  let ratio = ltc_tube_ratio(s, s.fitted.lobe, from_, to, tube.radius, w);
-  let along = ratio.scale > 0.0;
-  let beyond = ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct;
-  let weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + select(0.0, beyond, along) +
+  let ratio = ltc_ratio_of_tube(s, tube, integral, share);
+  let weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + ratio.beyond +
                ltc_weight_of_rim(s, share);
-  let filled = min(share * select(1.0, ratio.scale, along), 1.0);
+  let filled = min(share * ratio.scale, 1.0);
   var shaded: ltc_ShadedLight;
   shaded.diffuse = s.diffuse * integral.diffuse;
   shaded.specular = ltc_reflectance_of_weight(s, weight, filled);

@@ -1064,18 +1064,15 @@ vec3 ltc_reflectance_of_weight(ltc_Surface s, float weight, float filled) {
 // less for others, since it comes from the lobe's rim, which a light around its middle does not reach.
 float ltc_weight_of_rim(ltc_Surface s, float share) { return share * share * s.axis_weight; }
 
-// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
-// from around wi.
+// Schlick's weight in the light of a share of what the lobe has above the horizon, 0..1, which comes from around
+// wi.
 //
 // F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 // from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
 // more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
 // exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
-//
-// `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
-vec3 ltc_reflectance_of_part(ltc_Surface s, vec3 wi, float share, float filled) {
-  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share),
-                                   filled);
+float ltc_part_weight(ltc_Surface s, vec3 wi, float share) {
+  return ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share);
 }
 
 // What the specular part of a light is multiplied by so that a small one is exact: near its mean
@@ -1117,7 +1114,8 @@ ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
     float w = ltc_ratio_weight(integral, share);
     filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
   }
-  shaded.specular = ltc_reflectance_of_part(s, integral.specular_direction, share, filled);
+  float weight = ltc_part_weight(s, integral.specular_direction, share);
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
   return shaded;
 }
 
@@ -2212,7 +2210,7 @@ ltc_Heights ltc_quad_heights(ltc_Quad quad, vec3 position, vec3 normal) {
 // ---- polygon surface ----------------------------------------------------------------------------
 //
 // A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
-// GGX itself, along the same edges (half_vector.glsl).
+// GGX itself, along the same edges (exact/half_vector.glsl).
 
 // Both in one lane, which passes over what it does not need.
 ltc_LightIntegral ltc_polygon_integral_in_one_lane(ltc_Surface s, int polygon) {
@@ -2768,15 +2766,21 @@ ltc_TubeEnd ltc_tube_end(ltc_Tube tube, ltc_TubeView view, vec3 center, vec3 awa
   return result;
 }
 
-// 2 pi times the vector irradiance of half of an end of a thin tube: what bulges out beyond the
-// strip around its axis, as a small light (density times solid angle: docs/method.md, section 9).
+// Area of half of an end of a thin tube, which bulges out beyond the strip around its axis, at a right angle to
+// the view; less than 0 for an open end that one looks into. `facing`: the cosine between its direction and that
+// out of it along the axis.
+float ltc_thin_end_area(ltc_Tube tube, float facing) {
+  bool into = !ltc_has_caps(tube) && facing < 0.0;
+  return 0.5 * ltc_k_pi * tube.radius * tube.radius *
+         (ltc_has_round_caps(tube) ? 1.0 : abs(facing)) * (into ? -1.0 : 1.0);
+}
+
+// 2 pi times the vector irradiance of that, as a small light (density times solid angle: docs/method.md,
+// section 9).
 vec3 ltc_thin_end_term(ltc_Tube tube, vec3 center, vec3 away, ltc_Lobe lobe) {
   float distance2 = max(dot(center, center), ltc_k_tiny);
   float distance = sqrt(distance2);
-  float facing = dot(center, away) / distance;
-  bool into = !ltc_has_caps(tube) && facing < 0.0;
-  float area = 0.5 * ltc_k_pi * tube.radius * tube.radius *
-               (ltc_has_round_caps(tube) ? 1.0 : abs(facing)) * (into ? -1.0 : 1.0);
+  float area = ltc_thin_end_area(tube, dot(center, away) / distance);
   // Solid angle area / r^2, in cosine space det / |M^-1 w|^3 times that, w = center / r.
   vec3 o = ltc_to_cosine(lobe, center);
   float inv_o = inversesqrt(max(dot(o, o), ltc_k_tiny));
@@ -2794,19 +2798,19 @@ float ltc_tube_thickness(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe) {
   return tube.radius * sqrt(ltc_lobe_stretch2(lobe) / max(dot(nearest, nearest), ltc_k_tiny));
 }
 
+// Whether a point that looks along the tube sees its closed end at `center`, shading space, `along` metres beyond
+// which it lies.
+bool ltc_sees_end(ltc_Tube tube, vec3 center, float along) {
+  return along > 0.0 && ltc_has_caps(tube) &&
+         (!ltc_has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
+}
+
 // Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
 // `cut`, of its part in front of the plane with unit normal `front` (that space).
 vec3 ltc_sum_tube_outline(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe, vec3 front, bool cut) {
-  bool round = ltc_has_round_caps(tube);
-  bool closed = ltc_has_caps(tube);
   // Not beside the tube: in front of one of its ends.
-  float from_along = dot(view.from, view.axis);
-  float to_along = dot(view.to, view.axis);
-  bool see_from = from_along > 0.0 && closed;
-  bool see_to = to_along < 0.0 && closed;
-  float radius2 = tube.radius * tube.radius;
-  see_from = see_from && (!round || dot(view.from, view.from) > radius2);
-  see_to = see_to && (!round || dot(view.to, view.to) > radius2);
+  bool see_from = ltc_sees_end(tube, view.from, dot(view.from, view.axis));
+  bool see_to = ltc_sees_end(tube, view.to, -dot(view.to, view.axis));
 
   ltc_TubeEnd first = ltc_tube_end(tube, view, view.from, -view.axis, true, see_from, lobe);
   ltc_TubeEnd second = ltc_tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
@@ -2941,20 +2945,36 @@ ltc_Heights ltc_tube_heights(ltc_Tube tube, vec3 position, vec3 normal) {
   return heights;
 }
 
+// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
+// is below; the end is `height` over the plane.
+float ltc_lift_share(float height, float radius) {
+  float share = 0.5 * (radius - height) / max(radius, ltc_k_tiny);
+  return min(max(share, 0.0), 1.0);
+}
+
+// 1 where a tube's highest point is above the horizon: below it gives nothing, rounding or not; else 0.
+float ltc_tube_seen_above(ltc_Tube tube, ltc_TubeView view) {
+  float reach = tube.radius *
+                (ltc_has_round_caps(tube) ? 1.0 : sqrt(max(1.0 - view.axis.z * view.axis.z, 0.0)));
+  return max(view.from.z, view.to.z) + reach > 0.0 ? 1.0 : 0.0;
+}
+
 // integrate_tube; where `cut`, over what is in front of the plane with unit normal `front` (shading
 // space), over which the tube has these heights.
 ltc_LightIntegral ltc_integrate_tube_part(ltc_Tube tube, vec3 position, ltc_Frame frame,
                                           ltc_Lobe lobe, vec3 front, ltc_Heights heights,
                                           bool cut) {
   ltc_TubeView view = ltc_tube_view(tube, position, frame);
-  // Its highest point: a tube below the horizon gives nothing, rounding or not.
-  float reach = tube.radius *
-                (ltc_has_round_caps(tube) ? 1.0 : sqrt(max(1.0 - view.axis.z * view.axis.z, 0.0)));
-  float seen = max(view.from.z, view.to.z) + reach > 0.0 ? 1.0 : 0.0;
+  float seen = ltc_tube_seen_above(tube, view);
   return ltc_light_integral(ltc_sum_tube(tube, view, ltc_cosine_lobe(), front, heights, cut) * seen,
                             ltc_sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
                             ltc_tube_outline2(tube, view, lobe));
 }
+
+// ---- tube surface -------------------------------------------------------------------------------
+//
+// A tube as a surface sees it, and the light that it reflects of it: of a long light neither the ratio to the
+// BRDF nor Schlick's weight is that of one direction.
 
 // The integral over a tube as a surface sees it; see surface_polygon_integral.
 ltc_LightIntegral ltc_surface_tube_integral(ltc_Surface s, ltc_Tube tube) {
@@ -2975,13 +2995,6 @@ ltc_LightIntegral ltc_surface_tube_integral(ltc_Surface s, ltc_Tube tube) {
 // Radii by which a round end lengthens the segment that stands for a tube.
 const float ltc_k_round_reach = 0.7;
 
-// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
-// is below; the end is `height` over the plane.
-float ltc_lift_share(float height, float radius) {
-  float share = 0.5 * (radius - height) / max(radius, ltc_k_tiny);
-  return min(max(share, 0.0), 1.0);
-}
-
 // An end of the segment that stands for a tube: in the middle of what stands out of the surface there, and
 // over the lobe's own horizon, with unit normal `horizon`, for as long as some of the tube is.
 vec3 ltc_segment_end(vec3 end, vec3 horizon, float radius) {
@@ -2999,6 +3012,28 @@ ltc_SegmentRatio ltc_tube_ratio(ltc_Surface s, ltc_Lobe lobe, vec3 from, vec3 to
                            ltc_segment_end(to, horizon, radius), w);
 }
 
+// What the light of a tube is multiplied by, and what Schlick's weight has beyond that in its mean direction.
+struct ltc_TubeRatio {
+  float scale;  // mean of blended_ratio
+  float beyond; // see fresnel_weight
+};
+
+// Both by the pieces of its axis.
+ltc_TubeRatio ltc_ratio_of_tube(ltc_Surface s, ltc_Tube tube, ltc_LightIntegral integral,
+                                float share) {
+  float w = ltc_ratio_weight(integral, share);
+  vec3 axis = ltc_safe_direction(tube.to - tube.from);
+  float reach = ltc_has_round_caps(tube) ? ltc_k_round_reach * tube.radius : 0.0;
+  vec3 from = ltc_to_shading(s.frame, tube.from - axis * reach - s.position);
+  vec3 to = ltc_to_shading(s.frame, tube.to + axis * reach - s.position);
+  ltc_SegmentRatio ratio = ltc_tube_ratio(s, s.fitted.lobe, from, to, tube.radius, w);
+  bool along = ratio.scale > 0.0;
+  ltc_TubeRatio result;
+  result.beyond = along ? ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct : 0.0;
+  result.scale = along ? ratio.scale : 1.0;
+  return result;
+}
+
 // Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
 // mean along it, and so is what Schlick's weight has beyond that in the mean direction. Of that direction
 // the outline tells more: the thicker the tube, the less its axis.
@@ -3007,17 +3042,10 @@ ltc_ShadedLight ltc_shade_tube_integral(ltc_Surface s, ltc_Tube tube, ltc_LightI
     return ltc_shade_integral(s, integral);
   }
   float share = ltc_filled_share(s, integral);
-  float w = ltc_ratio_weight(integral, share);
-  vec3 axis = ltc_safe_direction(tube.to - tube.from);
-  float reach = ltc_has_round_caps(tube) ? ltc_k_round_reach * tube.radius : 0.0;
-  vec3 from = ltc_to_shading(s.frame, tube.from - axis * reach - s.position);
-  vec3 to = ltc_to_shading(s.frame, tube.to + axis * reach - s.position);
-  ltc_SegmentRatio ratio = ltc_tube_ratio(s, s.fitted.lobe, from, to, tube.radius, w);
-  bool along = ratio.scale > 0.0;
-  float beyond = ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct;
-  float weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + (along ? beyond : 0.0) +
+  ltc_TubeRatio ratio = ltc_ratio_of_tube(s, tube, integral, share);
+  float weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + ratio.beyond +
                  ltc_weight_of_rim(s, share);
-  float filled = min(share * (along ? ratio.scale : 1.0), 1.0);
+  float filled = min(share * ratio.scale, 1.0);
   ltc_ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   shaded.specular = ltc_reflectance_of_weight(s, weight, filled);

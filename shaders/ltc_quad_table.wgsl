@@ -790,18 +790,15 @@ fn ltc_reflectance_of_weight(s: ltc_Surface, weight: f32, filled: f32) -> vec3f 
 // less for others, since it comes from the lobe's rim, which a light around its middle does not reach.
 fn ltc_weight_of_rim(s: ltc_Surface, share: f32) -> f32 { return share * share * s.axis_weight; }
 
-// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
-// from around wi.
+// Schlick's weight in the light of a share of what the lobe has above the horizon, 0..1, which comes from around
+// wi.
 //
 // F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 // from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
 // more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
 // exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
-//
-// `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
-fn ltc_reflectance_of_part(s: ltc_Surface, wi: vec3f, share: f32, filled: f32) -> vec3f {
-  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share),
-                                   filled);
+fn ltc_part_weight(s: ltc_Surface, wi: vec3f, share: f32) -> f32 {
+  return ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share);
 }
 
 // What the specular part of a light is multiplied by so that a small one is exact: near its mean
@@ -843,7 +840,8 @@ fn ltc_shade_integral(s: ltc_Surface, integral: ltc_LightIntegral) -> ltc_Shaded
     let w = ltc_ratio_weight(integral, share);
     filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
   }
-  shaded.specular = ltc_reflectance_of_part(s, integral.specular_direction, share, filled);
+  let weight = ltc_part_weight(s, integral.specular_direction, share);
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
   return shaded;
 }
 
@@ -1334,7 +1332,7 @@ fn ltc_quad_heights(quad: ltc_Quad, position: vec3f, normal: vec3f) -> ltc_Heigh
 // ---- polygon surface ----------------------------------------------------------------------------
 //
 // A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
-// GGX itself, along the same edges (half_vector.glsl).
+// GGX itself, along the same edges (exact/half_vector.glsl).
 
 // Both in one lane, which passes over what it does not need.
 fn ltc_quad_integral_in_one_lane(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {

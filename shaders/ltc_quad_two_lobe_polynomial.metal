@@ -730,6 +730,7 @@ struct ltc_LightIntegral {
   float3 specular_direction; // shading space, unit
   float second;              // integral of a second lobe's density, see with_second_lobe; else 0
   float concentration;       // cosine space, 0..1: 1 for a light so small that it lies in one direction
+  float weight;              // of GGX itself, mean of Schlick's weight over its light; else negative or not set
 };
 
 // How closely a light keeps to its mean direction in cosine space, 0..1: R^4 (1 - |Phi|).
@@ -954,18 +955,15 @@ static inline float ltc_weight_of_rim(ltc_Surface s, float share) {
   return share * share * s.axis_weight;
 }
 
-// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
-// from around wi.
+// Schlick's weight in the light of a share of what the lobe has above the horizon, 0..1, which comes from around
+// wi.
 //
 // F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 // from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
 // more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
 // exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
-//
-// `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
-static inline float3 ltc_reflectance_of_part(ltc_Surface s, float3 wi, float share, float filled) {
-  return ltc_reflectance_of_weight(s, ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share),
-                                   filled);
+static inline float ltc_part_weight(ltc_Surface s, float3 wi, float share) {
+  return ltc_fresnel_weight(s.wo, wi) + ltc_weight_of_rim(s, share);
 }
 
 // What the specular part of a light is multiplied by so that a small one is exact: near its mean
@@ -1009,7 +1007,8 @@ static inline ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegra
     float w = ltc_ratio_weight(integral, share);
     filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
   }
-  shaded.specular = ltc_reflectance_of_part(s, integral.specular_direction, share, filled);
+  float weight = ltc_part_weight(s, integral.specular_direction, share);
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
   return shaded;
 }
 
@@ -1504,7 +1503,7 @@ static inline ltc_Heights ltc_quad_heights(ltc_Quad quad, float3 position, float
 // ---- polygon surface ----------------------------------------------------------------------------
 //
 // A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
-// GGX itself, along the same edges (half_vector.glsl).
+// GGX itself, along the same edges (exact/half_vector.glsl).
 
 // Both in one lane, which passes over what it does not need.
 static inline ltc_LightIntegral ltc_quad_integral_in_one_lane(ltc_Surface s, ltc_Quad quad) {

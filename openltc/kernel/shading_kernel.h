@@ -191,7 +191,7 @@ enum class Integrator { ltc, reference };
 enum class PunctualForm { exact, ltc };
 /// The specular part of area lights: by the fitted lobe alone, or times the BRDF's ratio to it in
 /// each light's mean direction (blended_ratio, shade/surface.glsl), for lobes that were fitted to
-/// GGX; or GGX itself (shade/half_vector.glsl), and the ratio for tubes.
+/// GGX; or GGX itself (shade/exact/half_vector.glsl).
 enum class SpecularForm { lobe, ratio, exact };
 
 struct KernelContext {

@@ -127,8 +127,7 @@ FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
   }
   if (s.exact) {
     // What a triangle cuts keeps the lobe.
-    integral =
-        select_integral(heights.low < Real(0.0), integral, exact_ellipse_integral(s, ellipse));
+    integral = lobe_where(heights.low < Real(0.0), integral, exact_ellipse_integral(s, ellipse));
   }
   if (cut) {
     integral = unless_hidden(s, heights, integral);

@@ -27,6 +27,7 @@ struct LightIntegral {
   Vec3 first_direction;    ///< with a second lobe, specular_direction of the first alone
   Vec3 second_direction;   ///< and of the second
   Real concentration; ///< cosine space, 0..1: 1 for a light so small that it lies in one direction
+  Real weight; ///< of GGX itself, mean of Schlick's weight over its light; else negative or not set
 };
 
 /// How closely a light keeps to its mean direction in cosine space, 0..1: R^4 (1 - |Phi|).

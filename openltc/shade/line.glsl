@@ -205,23 +205,10 @@ FN Line line_seen(Surface s, Line line) {
 /// Parts into which exact_line divides a line, each of four nodes of Gauss.
 const int k_line_parts = 3;
 
-/// One node of exact_line at `x` metres along t from the foot of the perpendicular, of weight w.
-FN GgxTerms add_line_node(Surface s, GgxTerms sum, Vec3 foot, Vec3 t, Real d, Real x, Real w) {
-  Vec3 p = foot + t * x;
-  Real inv_r = inversesqrt(max(dot(p, p), Real(k_tiny)));
-  GgxTerms terms = eval_ggx_terms(s.wo, p * inv_r, s.alpha);
-  Real weight = w * d * inv_r * (inv_r * inv_r);
-  sum.scale = sum.scale + terms.scale * weight;
-  sum.bias = sum.bias + terms.bias * weight;
-  return sum;
-}
-
-/// GGX itself over a line, per metre of its width: f0 scale + (f90 - f0) bias. A line has no outline; it is
-/// summed by nodes that are even in the angle at which g of half_vector.glsl would pass it, were the line's
+/// GGX itself over the line from a to b, shading space, per metre of its width. A line has no outline; it is
+/// summed by nodes that are even in the angle at which g of exact/half_vector.glsl would pass it, were the line's
 /// directions the linear ones around the mirror direction.
-FN_CALL GgxTerms exact_line(Surface s, Line line) {
-  Vec3 a = to_shading(s.frame, line.from - s.position);
-  Vec3 b = to_shading(s.frame, line.to - s.position);
+FN_CALL ExactNodes exact_line(Surface s, Vec3 a, Vec3 b) {
   Vec3 axis = b - a;
   Real length2 = dot(axis, axis);
   Vec3 t = axis * inversesqrt(max(length2, Real(k_tiny)));
@@ -238,12 +225,13 @@ FN_CALL GgxTerms exact_line(Surface s, Line line) {
   Vec3 across = cross(l0, l1);
   Real inv_l1 = inversesqrt(max(dot(l1, l1), Real(k_tiny)));
   Real nearest = -dot(l0, l1) * (inv_l1 * inv_l1);
-  Real width = max(sqrt(dot(across, across)) * (inv_l1 * inv_l1), Real(1.0e-6) * d);
+  // Seen end-on, from far beyond its end, the line has no such angle left.
+  Real gap = max(max(from - nearest, nearest - to), Real(0.0));
+  Real width =
+      max(max(sqrt(dot(across, across)) * (inv_l1 * inv_l1), Real(0.02) * gap), Real(1.0e-6) * d);
   Real start = angle_of(width, from - nearest);
   Real part = (angle_of(width, to - nearest) - start) * Real(1.0 / float(k_line_parts));
-  GgxTerms sum;
-  sum.scale = Real(0.0);
-  sum.bias = Real(0.0);
+  ExactNodes sum = no_exact_nodes();
   for (int i = 0; i < k_line_parts; ++i) {
     for (int k = 0; k < 4; ++k) {
       bool outer = k == 0 || k == 3;
@@ -253,7 +241,9 @@ FN_CALL GgxTerms exact_line(Surface s, Line line) {
       Real tangent = sin(angle) / c;
       Real weight =
           Real(outer ? 0.17392742256872693 : 0.32607257743127307) * part * width / (c * c);
-      sum = add_line_node(s, sum, foot, t, d, nearest + width * tangent, weight);
+      Vec3 p = foot + t * (nearest + width * tangent);
+      Real inv_r = inversesqrt(max(dot(p, p), Real(k_tiny)));
+      sum = add_exact_node(s, sum, p * inv_r, weight * d * inv_r * (inv_r * inv_r));
     }
   }
   Mask some = length2 > Real(k_tiny);
@@ -283,8 +273,10 @@ FN ShadedLight shade_line_integral(Surface s, Line line, LightIntegral integral)
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   if (s.exact) {
-    GgxTerms terms = exact_line(s, line_seen(s, line));
-    shaded.specular = s.f0 * terms.scale + (s.f90 - s.f0) * terms.bias;
+    Line seen = line_seen(s, line);
+    ExactNodes exact = exact_line(s, to_shading(s.frame, seen.from - s.position),
+                                  to_shading(s.frame, seen.to - s.position));
+    shaded.specular = s.f0 * exact.scale + (s.f90 - s.f0) * exact.bias;
   } else if (s.corrected) {
     shaded.specular = segment_reflectance(s, to_shading(s.frame, line.from - s.position),
                                           to_shading(s.frame, line.to - s.position), first, second);

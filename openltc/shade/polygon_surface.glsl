@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A polygon as a surface sees it, less what the surface's triangle hides: by the fitted lobe (polygon.glsl), or by
-// GGX itself, along the same edges (half_vector.glsl).
+// GGX itself, along the same edges (exact/half_vector.glsl).
 
 /// The sums over a polygon's edges.
 struct ExactPolygonSums {
@@ -81,10 +81,10 @@ FN_CALL ExactPolygonSums sum_exact_edges_in_front(Polygon polygon, Surface s, Ex
   return sums;
 }
 
-/// What of f_s cos_i for F = 1 a part of a small polygon around p has.
-FN Real exact_part(Surface s, Vec3 p, Real area_height) {
+/// Adds a part of a small polygon around p.
+FN ExactNodes add_exact_part(Surface s, ExactNodes nodes, Vec3 p, Real area_height) {
   Real inv_p = inverse_length(p);
-  return eval_ggx_terms(s.wo, p * inv_p, s.alpha).scale * (area_height * inv_p) * (inv_p * inv_p);
+  return add_exact_node(s, nodes, p * inv_p, (area_height * inv_p) * (inv_p * inv_p));
 }
 
 /// The integral over a polygon as a surface sees it, its specular part that of GGX itself for F = 1.
@@ -114,6 +114,7 @@ FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
   Vec3 diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
   ExactIntegral specular;
   specular.light = Real(0.0);
+  specular.bias = Real(0.0);
   specular.direction = safe_direction(center);
   Mask lit = side != Real(0.0) && over.high > Real(0.0);
   if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
@@ -125,7 +126,6 @@ FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
     }
     diffuse = sums.diffuse * (side * exact_diffuse);
     specular = exact_integral(view, sums.contour, side);
-    specular.light = specular.light * exact_specular;
   }
   if (any_lane(lit && (exact_diffuse < Real(1.0) || exact_specular < Real(1.0)))) {
     SmallPolygon small;
@@ -138,13 +138,12 @@ FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
               select(exact_diffuse < Real(1.0),
                      sum_small_polygon(small, cosine_lobe()) * (Real(1.0) - exact_diffuse), none);
     Real quarter = Real(0.25) * small.area_height;
-    Real parts =
-        exact_part(s, center + small.u, quarter) + exact_part(s, center - small.u, quarter) +
-        exact_part(s, center + small.v, quarter) + exact_part(s, center - small.v, quarter);
-    specular.light = specular.light + select(exact_specular < Real(1.0),
-                                             parts * (Real(1.0) - exact_specular), Real(0.0));
-    specular.direction = safe_direction(safe_direction(center) * (Real(1.0) - exact_specular) +
-                                        specular.direction * exact_specular);
+    ExactNodes parts = no_exact_nodes();
+    parts = add_exact_part(s, parts, center + small.u, quarter);
+    parts = add_exact_part(s, parts, center - small.u, quarter);
+    parts = add_exact_part(s, parts, center + small.v, quarter);
+    parts = add_exact_part(s, parts, center - small.v, quarter);
+    specular = mix_exact(s, specular, parts, exact_specular);
   }
 
   specular.light = select(lit, specular.light, Real(0.0));

@@ -91,7 +91,7 @@ FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
   }
   if (s.exact) {
     // What a triangle cuts keeps the lobe.
-    integral = select_integral(heights.low < Real(0.0), integral, exact_sphere_integral(s, sphere));
+    integral = lobe_where(heights.low < Real(0.0), integral, exact_sphere_integral(s, sphere));
   }
   if (cut) {
     return unless_hidden(s, heights, integral);

@@ -40,7 +40,7 @@ struct Surface {
   /// Whether lights take the BRDF's own value in their mean direction: see blended_ratio.
   bool corrected;
   Real max_ratio; ///< most that this may multiply a light by
-  /// Whether the specular part of lights is GGX itself instead of the lobe: see half_vector.glsl.
+  /// Whether the specular part of lights is GGX itself instead of the lobe: see exact/half_vector.glsl.
   bool exact;
 };
 
@@ -138,8 +138,8 @@ FN Surface correct_at_mean(Surface s) {
   return s;
 }
 
-/// Asks for GGX itself where a light's shape has it (all but tubes), and for the ratio at the mean
-/// direction where it has not.
+/// Asks for GGX itself, and for the ratio at the mean direction where it cannot be had: round lights that a tilted
+/// triangle cuts, and the mean of a light's picture.
 FN Surface make_exact(Surface s) {
   s = correct_at_mean(s);
   s.exact = true;
@@ -210,22 +210,20 @@ FN Vec3 reflectance_of_weight(Surface s, Real weight, Real filled) {
 /// less for others, since it comes from the lobe's rim, which a light around its middle does not reach.
 FN Real weight_of_rim(Surface s, Real share) { return share * share * s.axis_weight; }
 
-/// Specular reflectance of a share of what the lobe has above the horizon, 0..1, whose light comes
-/// from around wi.
+/// Schlick's weight in the light of a share of what the lobe has above the horizon, 0..1, which comes from around
+/// wi.
 ///
 /// F0 n1 + (F90 - F0) n5 is the albedo of the whole lobe. Spread evenly over it, it gives light far
 /// from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
 /// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
 /// exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
-///
-/// `filled`: the share of n1 that the light has; `share` itself but for blended_ratio.
-FN Vec3 reflectance_of_part(Surface s, Vec3 wi, Real share, Real filled) {
-  return reflectance_of_weight(s, fresnel_weight(s.wo, wi) + weight_of_rim(s, share), filled);
+FN Real part_weight(Surface s, Vec3 wi, Real share) {
+  return fresnel_weight(s.wo, wi) + weight_of_rim(s, share);
 }
 
-/// The same of what the lobe itself has of the light.
+/// The reflectance of such a part by the lobe itself.
 FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
-  return reflectance_of_part(s, wi, share, share);
+  return reflectance_of_weight(s, part_weight(s, wi, share), share);
 }
 
 /// What the specular part of a light is multiplied by so that a small one is exact: near its mean
@@ -267,7 +265,13 @@ FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
     Real w = ratio_weight(integral, share);
     filled = min(share * blended_ratio(s, integral.specular_direction, w), Real(1.0));
   }
-  shaded.specular = reflectance_of_part(s, integral.specular_direction, share, filled);
+  Real weight = part_weight(s, integral.specular_direction, share);
+  if (s.exact) {
+    Mask exact = integral.weight >= Real(0.0);
+    weight = select(exact, integral.weight, weight);
+    filled = select(exact, share, filled);
+  }
+  shaded.specular = reflectance_of_weight(s, weight, filled);
   return shaded;
 }
 

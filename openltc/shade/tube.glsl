@@ -103,16 +103,21 @@ FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool 
   return result;
 }
 
-/// 2 pi times the vector irradiance of half of an end of a thin tube: what bulges out beyond the
-/// strip around its axis, as a small light (density times solid angle: docs/method.md, section 9).
+/// Area of half of an end of a thin tube, which bulges out beyond the strip around its axis, at a right angle to
+/// the view; less than 0 for an open end that one looks into. `facing`: the cosine between its direction and that
+/// out of it along the axis.
+FN Real thin_end_area(Tube tube, Real facing) {
+  Mask into = !has_caps(tube) && facing < Real(0.0);
+  return Real(0.5) * k_pi * tube.radius * tube.radius *
+         select(has_round_caps(tube), Real(1.0), abs(facing)) * select(into, Real(-1.0), Real(1.0));
+}
+
+/// 2 pi times the vector irradiance of that, as a small light (density times solid angle: docs/method.md,
+/// section 9).
 FN Vec3 thin_end_term(Tube tube, Vec3 center, Vec3 away, Lobe lobe) {
   Real distance2 = max(dot(center, center), Real(k_tiny));
   Real distance = sqrt(distance2);
-  Real facing = dot(center, away) / distance;
-  Mask into = !has_caps(tube) && facing < Real(0.0);
-  Real area = Real(0.5) * k_pi * tube.radius * tube.radius *
-              select(has_round_caps(tube), Real(1.0), abs(facing)) *
-              select(into, Real(-1.0), Real(1.0));
+  Real area = thin_end_area(tube, dot(center, away) / distance);
   // Solid angle area / r^2, in cosine space det / |M^-1 w|^3 times that, w = center / r.
   Vec3 o = to_cosine(lobe, center);
   Real inv_o = inversesqrt(max(dot(o, o), Real(k_tiny)));
@@ -131,19 +136,19 @@ FN Real tube_thickness(Tube tube, TubeView view, Lobe lobe) {
   return tube.radius * sqrt(lobe_stretch2(lobe) / max(dot(nearest, nearest), Real(k_tiny)));
 }
 
+/// Whether a point that looks along the tube sees its closed end at `center`, shading space, `along` metres beyond
+/// which it lies.
+FN Mask sees_end(Tube tube, Vec3 center, Real along) {
+  return along > Real(0.0) && has_caps(tube) &&
+         (!has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
+}
+
 /// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
 /// `cut`, of its part in front of the plane with unit normal `front` (that space).
 FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe, Vec3 front, bool cut) {
-  Mask round = has_round_caps(tube);
-  Mask closed = has_caps(tube);
   // Not beside the tube: in front of one of its ends.
-  Real from_along = dot(view.from, view.axis);
-  Real to_along = dot(view.to, view.axis);
-  Mask see_from = from_along > Real(0.0) && closed;
-  Mask see_to = to_along < Real(0.0) && closed;
-  Real radius2 = tube.radius * tube.radius;
-  see_from = see_from && (!round || dot(view.from, view.from) > radius2);
-  see_to = see_to && (!round || dot(view.to, view.to) > radius2);
+  Mask see_from = sees_end(tube, view.from, dot(view.from, view.axis));
+  Mask see_to = sees_end(tube, view.to, -dot(view.to, view.axis));
 
   TubeEnd first = tube_end(tube, view, view.from, -view.axis, true, see_from, lobe);
   TubeEnd second = tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
@@ -276,15 +281,26 @@ FN Heights tube_heights(Tube tube, Vec3 position, Vec3 normal) {
   return heights;
 }
 
+/// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
+/// is below; the end is `height` over the plane.
+FN Real lift_share(Real height, Real radius) {
+  Real share = Real(0.5) * (radius - height) / max(radius, Real(k_tiny));
+  return min(max(share, Real(0.0)), Real(1.0));
+}
+
+/// 1 where a tube's highest point is above the horizon: below it gives nothing, rounding or not; else 0.
+FN Real tube_seen_above(Tube tube, TubeView view) {
+  Real reach = tube.radius * select(has_round_caps(tube), Real(1.0),
+                                    sqrt(max(Real(1.0) - view.axis.z * view.axis.z, Real(0.0))));
+  return select(max(view.from.z, view.to.z) + reach > Real(0.0), Real(1.0), Real(0.0));
+}
+
 /// integrate_tube; where `cut`, over what is in front of the plane with unit normal `front` (shading
 /// space), over which the tube has these heights.
 FN LightIntegral integrate_tube_part(Tube tube, Vec3 position, Frame frame, Lobe lobe, Vec3 front,
                                      Heights heights, bool cut) {
   TubeView view = tube_view(tube, position, frame);
-  // Its highest point: a tube below the horizon gives nothing, rounding or not.
-  Real reach = tube.radius * select(has_round_caps(tube), Real(1.0),
-                                    sqrt(max(Real(1.0) - view.axis.z * view.axis.z, Real(0.0))));
-  Real seen = select(max(view.from.z, view.to.z) + reach > Real(0.0), Real(1.0), Real(0.0));
+  Real seen = tube_seen_above(tube, view);
   return light_integral(sum_tube(tube, view, cosine_lobe(), front, heights, cut) * seen,
                         sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
                         tube_outline2(tube, view, lobe));
@@ -296,92 +312,3 @@ FN LightIntegral integrate_tube(Tube tube, Vec3 position, Frame frame, Lobe lobe
   return integrate_tube_part(tube, position, frame, lobe, Vec3(Real(0.0), Real(0.0), Real(1.0)),
                              no_heights(), false);
 }
-
-/// The integral over a tube as a surface sees it; see surface_polygon_integral.
-FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
-  Heights heights = no_heights();
-  bool cut = false;
-  if (s.tilted) {
-    heights = tube_heights(tube, s.position, s.geometric);
-    cut = any_lane(heights.low < Real(0.0));
-  }
-  LightIntegral integral =
-      integrate_tube_part(tube, s.position, s.frame, s.fitted.lobe, front_shading(s), heights, cut);
-  if (s.two) {
-    integral = with_second_lobe(
-        s, integral,
-        integrate_tube_part(tube, s.position, s.frame, s.second, front_shading(s), heights, cut));
-  }
-  if (cut) {
-    return unless_hidden(s, heights, integral);
-  }
-  return integral;
-}
-
-/// Radii by which a round end lengthens the segment that stands for a tube.
-CONSTANT k_round_reach = 0.7;
-
-/// How far a plane lifts an end of a tube's axis, in radii: 0 where the tube stands out of it whole, 1 where it
-/// is below; the end is `height` over the plane.
-FN Real lift_share(Real height, Real radius) {
-  Real share = Real(0.5) * (radius - height) / max(radius, Real(k_tiny));
-  return min(max(share, Real(0.0)), Real(1.0));
-}
-
-/// An end of the segment that stands for a tube: in the middle of what stands out of the surface there, and
-/// over the lobe's own horizon, with unit normal `horizon`, for as long as some of the tube is.
-FN Vec3 segment_end(Vec3 end, Vec3 horizon, Real radius) {
-  Vec3 p = end;
-  p.z = p.z + radius * lift_share(p.z, radius);
-  Real below = lift_share(dot(p, horizon), radius);
-  return p + horizon * (radius * below * below * below);
-}
-
-/// segment_ratio of that segment, whose ends, not yet lifted, are `from` and `to`, shading space.
-FN SegmentRatio tube_ratio(Surface s, Lobe lobe, Vec3 from, Vec3 to, Real radius, Real w) {
-  Vec3 horizon = safe_direction(Vec3(lobe.m20, Real(0.0), lobe.m22));
-  return segment_ratio(s, lobe, segment_end(from, horizon, radius),
-                       segment_end(to, horizon, radius), w);
-}
-
-/// Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
-/// mean along it, and so is what Schlick's weight has beyond that in the mean direction. Of that direction
-/// the outline tells more: the thicker the tube, the less its axis.
-FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral) {
-  if (!s.corrected) {
-    return shade_integral(s, integral);
-  }
-  Real share = filled_share(s, integral);
-  Real w = ratio_weight(integral, share);
-  Vec3 axis = safe_direction(tube.to - tube.from);
-  Real reach = select(has_round_caps(tube), Real(k_round_reach) * tube.radius, Real(0.0));
-  Vec3 from = to_shading(s.frame, tube.from - axis * reach - s.position);
-  Vec3 to = to_shading(s.frame, tube.to + axis * reach - s.position);
-  SegmentRatio ratio = tube_ratio(s, s.fitted.lobe, from, to, tube.radius, w);
-  if (s.two) {
-    // Each lobe's own, in proportion to what it has of the light.
-    SegmentRatio second = tube_ratio(s, s.second, from, to, tube.radius, w);
-    Real part = integral.second * s.second_inv_share;
-    Real mix = part * reciprocal(max(integral.specular * s.inv_share + part, Real(k_tiny)));
-    ratio.scale = ratio.scale + (second.scale - ratio.scale) * mix;
-    ratio.bias = ratio.bias + (second.bias - ratio.bias) * mix;
-    ratio.direct = ratio.direct + (second.direct - ratio.direct) * mix;
-  }
-  Mask along = ratio.scale > Real(0.0);
-  Real beyond = ratio.bias / max(ratio.scale, Real(k_tiny)) - ratio.direct;
-  Real weight = fresnel_weight(s.wo, integral.specular_direction) +
-                select(along, beyond, Real(0.0)) + weight_of_rim(s, share);
-  Real filled = min(share * select(along, ratio.scale, Real(1.0)), Real(1.0));
-  ShadedLight shaded;
-  shaded.diffuse = s.diffuse * integral.diffuse;
-  shaded.specular = reflectance_of_weight(s, weight, filled);
-  return shaded;
-}
-
-/// Light that a surface reflects of a tube of radiance 1, without shadow.
-FN ShadedLight shade_tube_parts(Surface s, Tube tube) {
-  return shade_tube_integral(s, tube, surface_tube_integral(s, tube));
-}
-
-/// Light that a surface reflects of it, for radiance 1 and without shadow: shade_tube_parts, both together.
-FN Vec3 shade_tube(Surface s, Tube tube) { return both_parts(shade_tube_parts(s, tube)); }

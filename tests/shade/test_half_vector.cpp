@@ -28,16 +28,22 @@ namespace {
 
 constexpr double k_pi = std::numbers::pi;
 
-// Without a diffuse part, of white metal, seen from `wo` of world space.
-f64::Surface surface(Vec3d position, Vec3d normal, Vec3d wo, double roughness) {
+// Without a diffuse part, of white metal or a dielectric, seen from `wo` of world space.
+f64::Surface surface(Vec3d position, Vec3d normal, Vec3d wo, double roughness, double f0 = 1) {
   const f64::FittedLobe fitted = f64::fetch_lobe(
       table::builtin_ggx_table().view(), f64::alpha_from_roughness(roughness), dot(normal, wo));
-  return f64::make_exact(f64::make_surface(fitted, position, normal, wo, Vec3d(0.0), Vec3d(1.0),
+  return f64::make_exact(f64::make_surface(fitted, position, normal, wo, Vec3d(0.0), Vec3d(f0),
                                            Vec3d(1.0), roughness));
 }
 
-f64::Surface surface(double theta, double roughness) {
-  return surface(Vec3d(0.0), Vec3d(0, 0, 1), Vec3d(std::sin(theta), 0, std::cos(theta)), roughness);
+f64::Surface surface(double theta, double roughness, double f0 = 1) {
+  return surface(Vec3d(0.0), Vec3d(0, 0, 1), Vec3d(std::sin(theta), 0, std::cos(theta)), roughness,
+                 f0);
+}
+
+double reflected(const f64::Surface& s, Vec3d wi) {
+  const f64::GgxTerms terms = f64::eval_ggx_terms(s.wo, wi, s.alpha);
+  return s.f0.x * terms.scale + (s.f90.x - s.f0.x) * terms.bias;
 }
 
 f32::Surface surface_f32(double theta, double roughness) {
@@ -82,7 +88,7 @@ double midpoints(const f64::Surface& s, const Quad& q, int n) {
       const Vec3d p = q.center + q.u * (2 * (i + 0.5) / n - 1) + q.v * (2 * (j + 0.5) / n - 1);
       const double distance2 = dot(p, p), facing = -dot(p, normal) / std::sqrt(distance2);
       const Vec3d wi = f64::to_shading(s.frame, normalize(p));
-      if (facing > 0) sum += f64::eval_ggx_terms(s.wo, wi, s.alpha).scale * facing / distance2;
+      if (facing > 0) sum += reflected(s, wi) * facing / distance2;
     }
   return sum * area;
 }
@@ -136,6 +142,33 @@ TEST_CASE("exact polygons: quads of every size, against points of them") {
     CHECK(exact.of_light() < 1e-3);
     CHECK(exact.worst < 0.015);
     CHECK(exact.of_light() < 0.1 * ratio.of_light());
+  }
+}
+
+TEST_CASE("exact polygons: Schlick's weight is integrated too, against points of them") {
+  const struct { double size, bound; } cases[] = {{1, 8e-3}, {0.25, 6e-4}, {0.03, 1e-4}};
+  for (const auto& one : cases) {
+    Random random(43);
+    Errors exact, at_mean;
+    for (int i = 0; i < 200; ++i) {
+      const f64::Surface s =
+          surface(random.uniform(0, 88.0 / 180 * k_pi),
+                  random.uniform(std::min(0.35, 0.1 + 0.25 * one.size), 1), 0.04);
+      const Quad quad = random_quad(one.size, random);
+      const TestPolygon polygon = quad.polygon();
+      const double truth = midpoints(s, quad, 200);
+      const f64::LightIntegral integral = f64::surface_polygon_integral(s, polygon.view());
+      exact.add(f64::shade_integral(s, integral).specular.x, truth);
+      at_mean.add(
+          f64::specular_reflectance(s, integral.specular_direction, f64::filled_share(s, integral))
+              .x,
+          truth);
+    }
+    MESSAGE("size ", one.size, ": of the light ", exact.of_light(),
+            " (weight in the mean direction ", at_mean.of_light(), "), worst ", exact.worst, " (",
+            at_mean.worst, ")");
+    CHECK(exact.of_light() < one.bound);
+    CHECK(exact.of_light() < 0.4 * at_mean.of_light());
   }
 }
 

@@ -87,7 +87,7 @@ struct Case {
 // By lobes alone a metal has its albedo n1, whatever the walls. The ratio in a wall's mean
 // direction does not speak for all of it, and the nodes of GGX itself are few for walls that stand
 // on the surface where the view nearly lies in it. A dielectric's Fresnel is that of mean
-// directions, worst at such views, whatever the form: decision 51.
+// directions, worst at such views, also by GGX itself where its lobe is narrow: decisions 51, 90.
 TEST_CASE("five walls of a white furnace, by every form of light") {
   constexpr double none = 1e-9;
   const Case cases[] = {{"metal, to 60 degrees",
@@ -116,7 +116,7 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.9975, 1.0045, 0.0003, 1.0045},
                           {LightForm::two_lobes, 0.997, 1.004, 0.00025, 1.004},
                           {LightForm::two_lobes_ratio, 0.997, 1.004, 0.00025, 1.004},
-                          {LightForm::exact, 0.9975, 1.002, 0.00025, 1.002}}},
+                          {LightForm::exact, 0.999, 1.0035, 0.0001, 1.0035}}},
                         {"dielectric, 60 to 89 degrees",
                          60,
                          89,
@@ -125,7 +125,7 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.96, 1.068, 0.0065, 1.068},
                           {LightForm::two_lobes, 0.97, 1.045, 0.005, 1.045},
                           {LightForm::two_lobes_ratio, 0.969, 1.041, 0.005, 1.041},
-                          {LightForm::exact, 0.985, 1.065, 0.004, 1.065}}}};
+                          {LightForm::exact, 0.98, 1.02, 0.0012, 1.02}}}};
   for (const Case& one : cases)
     for (std::size_t k = 0; k < std::size(k_light_forms); ++k) {
       const Furnaces& bound = one.bounds[k];
@@ -185,6 +185,7 @@ bool has_step(const std::vector<double>& values, double known) {
 double known_step(LightForm form, const std::string& shape) {
   const bool exact = form == LightForm::exact;
   if (exact && (shape == "sphere" || shape == "ellipse")) return 2e-3;
+  if (exact && shape == "capsule") return 5e-4;
   return exact ? 1e-4 : 1e-7;
 }
 

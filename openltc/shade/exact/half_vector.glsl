@@ -32,6 +32,8 @@ struct ExactView {
   Real masking;  ///< masking_of_height of the mirror direction
   /// pi times D of wi along the normal, times what masking_of_height has more there than in the mirror direction.
   Real more_at_normal;
+  Real weight;           ///< Schlick's, of the mirror direction
+  Real biased_at_normal; ///< more_at_normal with Schlick's weight in either place
 };
 
 /// A unit vector at half the angle of another.
@@ -79,8 +81,12 @@ FN ExactView exact_view(Vec3 wo, Real alpha, Vec3 start) {
   // c / e with c = 2 u and e = u (1 - cos_o + alpha^2 u), u = 1 + cos_o.
   Real e = Real(1.0) - view.cos_o + view.alpha2 * (Real(1.0) + view.cos_o);
   Real ratio = Real(2.0) / max(e, Real(k_tiny));
-  view.more_at_normal =
-      view.alpha2 * ratio * ratio * (Real(0.5) / (view.root_o + view.cos_o) - view.masking);
+  Real d = view.alpha2 * ratio * ratio;
+  Real masking = Real(0.5) / (view.root_o + view.cos_o);
+  view.more_at_normal = d * (masking - view.masking);
+  view.weight = schlick_weight(view.cos_o);
+  view.biased_at_normal =
+      d * (masking * schlick_weight_between(view.cos_o) - view.masking * view.weight);
   return view;
 }
 
@@ -122,6 +128,7 @@ FN ConicPoint scale_point(ConicPoint a, Real s) {
 struct ContourSums {
   Vec3 visible; ///< of g x dg / |g|^2
   Real masked;  ///< pi times what masking adds, see masking_ring.glsl, but for `solid`
+  Real biased;  ///< the same with Schlick's weight, and what that adds
   Real solid;   ///< solid angle
 };
 
@@ -130,6 +137,7 @@ FN ContourSums no_contour() {
   ContourSums sums;
   sums.visible = Vec3(Real(0.0), Real(0.0), Real(0.0));
   sums.masked = Real(0.0);
+  sums.biased = Real(0.0);
   sums.solid = Real(0.0);
   return sums;
 }

@@ -14,6 +14,10 @@
 // outline and the normal at the azimuth opposite of phi0 has to be added. Counted is what W(z) has more than W in
 // the mirror direction, whose part the visible normals have. Near the normal azimuths turn fast: D there times
 // that is taken out of the rings, and added as so much per solid angle.
+//
+// Schlick's weight is a function of c = |wo + wi|^2 alone, and the integrals of D / c and D c over a part of a ring
+// are as elementary as that of D. Its mean there is taken from two values of c that have the same means of 1 / c and
+// c. What counts is W(z) times it beyond that of the mirror direction.
 
 /// W(z) = f_s cos_i / D of Smith's height-correlated masking.
 FN Real masking_of_height(ExactView view, Real z) {
@@ -91,20 +95,83 @@ FN RingPart ring_part(ExactView view, Ring ring, Real x, Real y) {
   return part;
 }
 
-/// pi Psi over that part.
-FN Real ring_integral(ExactView view, Ring ring, RingPart part) {
+/// Integrals over a part of a ring.
+struct RingPowers {
+  Real less2; ///< of 1 / e^2
+  Real less1; ///< of 1 / e
+  Real angle; ///< of 1
+  Real more1; ///< of e
+  Real low;   ///< least e on it
+  Real high;  ///< and most
+};
+
+/// Over that part.
+FN RingPowers part_powers(ExactView view, Ring ring, RingPart part) {
   Real b = Real(0.5) * (ring.more - ring.less);
-  Real squared = (ring.mean * part.inverse +
+  RingPowers powers;
+  powers.less2 = (ring.mean * part.inverse +
                   b * (part.turned * reciprocal(max(part.end * part.begin, Real(k_tiny))))) *
                  (part.inv_root * part.inv_root);
-  return view.alpha2 * (part.angle + ring.k * (Real(2.0) * part.inverse + ring.k * squared));
+  powers.less1 = part.inverse;
+  powers.angle = part.angle;
+  powers.more1 = ring.mean * part.angle - b * (Real(2.0) * part.at.s * part.at.c - view.start_y);
+  Mask past_mirror = (part.at.s < Real(0.0)) != (view.half_sin < Real(0.0));
+  powers.low = select(past_mirror, ring.less, min(part.begin, part.end));
+  powers.high = select(part.at.c < Real(0.0), ring.more, max(part.begin, part.end));
+  return powers;
 }
 
-/// pi times the integral of D over the whole ring.
-FN Real whole_ring(ExactView view, Ring ring) {
+/// Over the whole ring.
+FN RingPowers whole_powers(Ring ring) {
+  Real turn = Real(2.0) * k_pi;
   Real inv_root = inversesqrt(max(ring.product, Real(k_tiny)));
-  return Real(2.0) * k_pi * view.alpha2 *
-         (Real(1.0) + ring.k * inv_root * (Real(2.0) + ring.k * ring.mean * inv_root * inv_root));
+  RingPowers powers;
+  powers.less2 = turn * ring.mean * (inv_root * inv_root) * inv_root;
+  powers.less1 = turn * inv_root;
+  powers.angle = turn;
+  powers.more1 = turn * ring.mean;
+  powers.low = ring.less;
+  powers.high = ring.more;
+  return powers;
+}
+
+/// Schlick's weight where c = |wo + wi|^2 has this value: wo.h is half of its root.
+FN Real weight_of_square(Real c) {
+  return schlick_weight(Real(0.5) * c * inversesqrt(max(c, Real(k_tiny))));
+}
+
+/// Mean of Schlick's weight over c from its means of 1 / c and of c, where c is between `low` and `high`: two
+/// values, one of them that at `low`, which have these means and, so, positive shares.
+FN Real mean_weight(Real inverse, Real mean, Real low, Real high) {
+  Real over = max(mean - low, Real(0.0));
+  Real x = min(max(over * reciprocal(max(Real(1.0) - low * inverse, Real(k_tiny))), low), high);
+  Real share = min(over * reciprocal(max(x - low, Real(k_tiny))), Real(1.0));
+  Real first = weight_of_square(low);
+  return first + (weight_of_square(x) - first) * share;
+}
+
+/// What a ring adds to the visible normals: its masking beyond the mirror direction's, by itself and with
+/// Schlick's weight; pi Psi times that.
+struct RingLight {
+  Real scale; ///< by itself
+  Real bias;  ///< with the weight
+};
+
+/// From the integrals over a part of a ring of height z. pi D / alpha^2 = (c / e)^2, c = e + k.
+FN RingLight ring_light(ExactView view, Ring ring, RingPowers powers, Real z) {
+  Real k = ring.k;
+  Real c1 = powers.less1 + k * powers.less2;        // of c / e^2
+  Real c2 = powers.angle + k * (powers.less1 + c1); // of c^2 / e^2
+  Real c3 =
+      powers.more1 + k * (powers.angle + k * powers.less1 + powers.angle + c2); // of c^3 / e^2
+  Real inv_c2 = select(abs(c2) > Real(k_tiny), Real(1.0) / c2, Real(0.0));
+  Real weight = mean_weight(c1 * inv_c2, c3 * inv_c2, powers.low + k, powers.high + k);
+  Real masking = masking_of_height(view, z);
+  Real d = view.alpha2 * c2;
+  RingLight light;
+  light.scale = d * (masking - view.masking);
+  light.bias = d * (masking * weight - view.masking * view.weight);
+  return light;
 }
 
 /// A node of the integral from an edge to the normal at v, of weight w; width: of the peak at cos_o.
@@ -114,9 +181,10 @@ FN ContourSums add_cap_node(ExactView view, ContourSums sums, Real width, Real v
   Real sin2 = max(Real(1.0) - z * z, Real(k_tiny));
   Ring ring = ring_at(view, z, sin2 * inversesqrt(sin2));
   Real dz = Real(2.0) * width * (Real(1.0) + v * v) * inv * inv * w;
-  Real whole = whole_ring(view, ring);
-  Real even = Real(2.0) * k_pi * view.more_at_normal;
-  sums.masked = sums.masked + (whole * (masking_of_height(view, z) - view.masking) - even) * dz;
+  RingLight light = ring_light(view, ring, whole_powers(ring), z);
+  Real turn = Real(2.0) * k_pi;
+  sums.masked = sums.masked + (light.scale - turn * view.more_at_normal) * dz;
+  sums.biased = sums.biased + (light.bias - turn * view.biased_at_normal) * dz;
   return sums;
 }
 
@@ -148,6 +216,7 @@ FN_CALL ContourSums add_cap(ExactView view, ContourSums sums, Real z, Real sign)
                        Real(0.1012285362903763));
   }
   sums.masked = sums.masked + cap.masked * reach * sign;
+  sums.biased = sums.biased + cap.biased * reach * sign;
   return sums;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // GGX itself over the cone of an ellipse or a sphere: its outline as arcs of a circle's image, clipped to the
-// surface's horizon. The sums along arcs: exact_outline.glsl.
+// surface's horizon. The sums along arcs: outline.glsl.
 
 /// Unit vector of a cone's outline, from the cosine and sine of its parameter; see cone.glsl.
 FN Vec3 cone_direction(Cone cone, Real c, Real s) {
@@ -24,26 +24,15 @@ FN ContourSums add_circle_arc(ExactView view, ContourSums sums, Vec3 a, Vec3 c, 
                  sign);
 }
 
-/// The light of a cone of directions in that many arcs of circles, which a round one is made of.
-FN_CALL ExactIntegral exact_cone(Surface s, Cone cone, int arcs) {
-  Arc above = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
-  Mask whole = above.extent > Real(k_full_turn);
-  Real start = select(whole, Real(0.0), above.start);
-  Real extent = select(whole, Real(2.0) * k_pi, max(above.extent, Real(0.0)));
+/// Along the outline from `first`, its point at the parameter `start`, to `last`, at `extent` more, in that many
+/// arcs of circles, which the outline of a round cone is made of, times `sign`.
+FN_CALL ContourSums add_cone_arcs(ExactView view, ContourSums sums, Cone cone, Real start,
+                                  Real extent, Vec3 first, Vec3 last, int arcs, Real sign) {
   Real c = cos(start);
   Real n = sin(start);
   Real step = extent * Real(0.5 / float(arcs));
   Real step_c = cos(step);
   Real step_n = sin(step);
-  Vec3 first = cone_direction(cone, c, n);
-  Vec3 last = cone_direction(cone, cos(start + extent), sin(start + extent));
-  // On the horizon, where it cuts.
-  Vec3 first_cut = Vec3(first.x, first.y, Real(0.0));
-  Vec3 last_cut = Vec3(last.x, last.y, Real(0.0));
-  first = select(whole, first, first_cut * inverse_length(first_cut));
-  last = select(whole, first, last_cut * inverse_length(last_cut));
-  ExactView view = exact_view(s.wo, s.alpha, select(whole, cone.e3, first + last));
-  ContourSums sums = no_contour();
   Vec3 a = first;
   for (int i = 1; i <= arcs; ++i) {
     Real next_c = c * step_c - n * step_n;
@@ -57,16 +46,41 @@ FN_CALL ExactIntegral exact_cone(Surface s, Cone cone, int arcs) {
     if (i < arcs) {
       b = cone_direction(cone, c, n);
     }
-    sums = add_circle_arc(view, sums, a, middle, b, Real(1.0));
+    sums = add_circle_arc(view, sums, a, middle, b, sign);
     a = b;
   }
+  return sums;
+}
+
+/// Closes what begins at the direction a, and runs to b, by arcs of the horizon, times `sign`.
+FN ContourSums close_at_horizon(ExactView view, ContourSums sums, Vec3 a, Vec3 b, Real sign) {
+  sums = add_horizon_arc(view, sums, conic_point(view, a, Real(1.0)), sign);
+  return add_horizon_arc(view, sums, conic_point(view, b, Real(1.0)), -sign);
+}
+
+/// The light of a cone of directions in that many arcs of circles, which a round one is made of.
+FN_CALL ExactIntegral exact_cone(Surface s, Cone cone, int arcs) {
+  Arc above = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
+  Mask whole = above.extent > Real(k_full_turn);
+  Real start = select(whole, Real(0.0), above.start);
+  Real extent = select(whole, Real(2.0) * k_pi, max(above.extent, Real(0.0)));
+  Vec3 first = cone_direction(cone, start);
+  Vec3 last = cone_direction(cone, start + extent);
+  // On the horizon, where it cuts.
+  Vec3 first_cut = Vec3(first.x, first.y, Real(0.0));
+  Vec3 last_cut = Vec3(last.x, last.y, Real(0.0));
+  first = select(whole, first, first_cut * inverse_length(first_cut));
+  last = select(whole, first, last_cut * inverse_length(last_cut));
+  ExactView view = exact_view(s.wo, s.alpha, select(whole, cone.e3, first + last));
+  ContourSums sums =
+      add_cone_arcs(view, no_contour(), cone, start, extent, first, last, arcs, Real(1.0));
   if (any_lane(!whole)) {
-    Real cut = select(whole, Real(0.0), Real(1.0));
-    sums = add_horizon_arc(view, sums, conic_point(view, first, Real(1.0)), cut);
-    sums = add_horizon_arc(view, sums, conic_point(view, last, Real(1.0)), -cut);
+    sums = close_at_horizon(view, sums, first, last, select(whole, Real(0.0), Real(1.0)));
   }
   ExactIntegral result = exact_integral(view, sums, Real(1.0));
-  result.light = select(whole || above.extent > Real(0.0), result.light, Real(0.0));
+  Mask some = whole || above.extent > Real(0.0);
+  result.light = select(some, result.light, Real(0.0));
+  result.bias = select(some, result.bias, Real(0.0));
 
   Real exact = outline_exactness(s, cone.e3, cone.k1);
   // Uniform shortcut: no lane's cone is small.
@@ -75,13 +89,12 @@ FN_CALL ExactIntegral exact_cone(Surface s, Cone cone, int arcs) {
     Real quarter = Real(0.25) * k_pi * cone.k1 * cone.k2 * (Real(1.0) + Real(0.125) * k2);
     Vec3 u = cone.e1 * (cone.k1 * Real(0.7071067811865476));
     Vec3 v = cone.e2 * (cone.k2 * Real(0.7071067811865476));
-    Real parts = eval_ggx_terms(s.wo, normalize(cone.e3 + u), s.alpha).scale +
-                 eval_ggx_terms(s.wo, normalize(cone.e3 - u), s.alpha).scale +
-                 eval_ggx_terms(s.wo, normalize(cone.e3 + v), s.alpha).scale +
-                 eval_ggx_terms(s.wo, normalize(cone.e3 - v), s.alpha).scale;
-    result.light = result.light * exact +
-                   select(exact < Real(1.0), parts * quarter * (Real(1.0) - exact), Real(0.0));
-    result.direction = safe_direction(cone.e3 * (Real(1.0) - exact) + result.direction * exact);
+    ExactNodes parts = no_exact_nodes();
+    parts = add_exact_node(s, parts, normalize(cone.e3 + u), quarter);
+    parts = add_exact_node(s, parts, normalize(cone.e3 - u), quarter);
+    parts = add_exact_node(s, parts, normalize(cone.e3 + v), quarter);
+    parts = add_exact_node(s, parts, normalize(cone.e3 - v), quarter);
+    result = mix_exact(s, result, parts, exact);
   }
   return result;
 }

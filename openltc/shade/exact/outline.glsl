@@ -68,14 +68,20 @@ FN ContourSums add_ring_node(ExactView view, ContourSums sums, EdgePass pass, Co
   Real inv_r = inversesqrt(max(r2, Real(k_tiny)));
   Ring ring = ring_at(view, z, min(r2 * inv_r * inv_l, Real(1.0)));
   RingPart part = ring_part(view, ring, r.x * inv_r, r.y * inv_r);
-  Real integral = ring_integral(view, ring, part);
+  RingPowers powers = part_powers(view, ring, part);
   if (pass.some) {
     Real turns = select(r.y < Real(0.0), pass.negative, pass.positive);
-    integral = integral + turns * whole_ring(view, ring);
-    part.angle = part.angle + turns * (Real(2.0) * k_pi);
+    RingPowers whole = whole_powers(ring);
+    powers.less2 = powers.less2 + turns * whole.less2;
+    powers.less1 = powers.less1 + turns * whole.less1;
+    powers.angle = powers.angle + turns * whole.angle;
+    powers.more1 = powers.more1 + turns * whole.more1;
+    powers.low = select(turns != Real(0.0), whole.low, powers.low);
+    powers.high = select(turns != Real(0.0), whole.high, powers.high);
   }
-  Real more = integral * (masking_of_height(view, z) - view.masking);
-  sums.masked = sums.masked - (more - view.more_at_normal * part.angle) * dz;
+  RingLight light = ring_light(view, ring, powers, z);
+  sums.masked = sums.masked - (light.scale - view.more_at_normal * powers.angle) * dz;
+  sums.biased = sums.biased - (light.bias - view.biased_at_normal * powers.angle) * dz;
   sums.solid = sums.solid - (r.x * dr.y - r.y * dr.x) * (inv_l * reciprocal(Real(1.0) + z));
   return sums;
 }
@@ -151,6 +157,11 @@ FN_CALL ContourSums add_rings_of_halves(ExactView view, ContourSums sums, EdgePa
 
 /// Cosine of the angle in g between the ends of half an edge from which on it is divided once more.
 CONSTANT k_wide_arc_cos = 0.3;
+/// Cosine of that between the ends of a whole one up to which it is not divided,
+CONSTANT k_narrow_arc_cos = 0.6;
+/// and square of the cosine of the angle at which its control point is seen from them, up to which it keeps to its
+/// chord.
+CONSTANT k_narrow_bend_cos2 = 0.75;
 
 /// Visible normals along the two halves of an arc.
 FN_CALL Vec3 visible_halves(Vec3 a, Vec3 m, Vec3 b) {
@@ -198,20 +209,31 @@ FN_CALL ContourSums add_arc(ExactView view, ContourSums sums, ConicPoint p, Coni
   q = scale_point(q, inv_q);
   Real inv_both = inv_p * inv_q;
   m = scale_point(m, inv_both * inversesqrt(inv_both));
-  ArcHalves halves = halves_of(p.g, m.g, q.g);
-  sums.visible = sums.visible + (visible_half(p.g, halves.before, halves.middle) +
-                                 visible_half(halves.middle, halves.after, q.g)) *
-                                    sign;
+  // A narrow arc that keeps to its chord is as smooth as the halves of others.
+  Real turn = dot(p.g, m.g);
+  Mask narrow = dot(p.g, q.g) > Real(k_narrow_arc_cos) && turn > Real(0.0) &&
+                turn * turn > Real(k_narrow_bend_cos2) * dot(m.g, m.g);
+  Vec3 visible = visible_part(p.g, m.g, q.g);
+  // Uniform shortcut: all lanes' are.
+  if (any_lane(!narrow)) {
+    ArcHalves halves = halves_of(p.g, m.g, q.g);
+    visible = select(narrow, visible,
+                     visible_half(p.g, halves.before, halves.middle) +
+                         visible_half(halves.middle, halves.after, q.g));
+  }
+  sums.visible = sums.visible + visible * sign;
   // Uniform shortcut: no lane's arc spans more than a right angle.
   if (!any_lane(wide)) {
     return add_rings(view, sums, pass, conic_terms(p, m, q), sign);
   }
-  ContourSums parts = add_rings_of_halves(view, sums, pass, p, m, q, halves, sign);
+  ContourSums parts =
+      add_rings_of_halves(view, sums, pass, p, m, q, halves_of(p.g, m.g, q.g), sign);
   if (all_lanes(wide)) {
     return parts;
   }
   sums = add_rings(view, sums, pass, conic_terms(p, m, q), sign);
   sums.masked = select(wide, parts.masked, sums.masked);
+  sums.biased = select(wide, parts.biased, sums.biased);
   sums.solid = select(wide, parts.solid, sums.solid);
   return sums;
 }
@@ -249,76 +271,4 @@ FN ContourSums add_edge(ExactView view, ContourSums sums, Vec3 a, Vec3 b, Real s
   sums = add_horizon_arc(view, sums, conic_point(view, cut, Real(1.0)), leaves * sign);
   return add_whole_edge(view, sums, select(a_up, a, cut), select(b_up, b, cut),
                         select(a_up || b_up, sign, Real(0.0)));
-}
-
-/// The light of the outline and where it comes from.
-struct ExactIntegral {
-  Real light;     ///< integral of f_s cos_i for F = 1
-  Vec3 direction; ///< its mean direction, shading space, unit
-};
-
-/// From the sums along an outline that runs counter-clockwise for side = 1, clockwise for -1.
-FN ExactIntegral exact_integral(ExactView view, ContourSums sums, Real side) {
-  Vec3 v = sums.visible * side;
-  Real visible = max(view.alpha * view.sin_o * v.x + view.cos_o * v.z, Real(0.0));
-  // B^-1 V, times alpha.
-  Vec3 h = safe_direction(Vec3(view.alpha * v.x, view.alpha * v.y, v.z));
-  Real o_h = h.x * view.sin_o + h.z * view.cos_o;
-  h = select(o_h < Real(0.0), -h, h);
-  Vec3 wo = Vec3(view.sin_o, Real(0.0), view.cos_o);
-  ExactIntegral result;
-  result.direction = safe_direction(h * (Real(2.0) * abs(o_h)) - wo);
-  Real rest = (sums.masked + view.more_at_normal * sums.solid) * side;
-  result.light = max((Real(2.0) * view.masking * visible + rest) * k_inv_pi, Real(0.0));
-  return result;
-}
-
-/// Angular radius, of half vectors and of what masking sees, below which a light is four points of it,
-CONSTANT k_four_points_radius = 0.03;
-/// and 1 over what lies between that and where it is its outline.
-CONSTANT k_inv_four_points_range = 50.0;
-
-/// How much of the integral along its outline a light wants, 0 to 1, of that centre, shading space, and radius:
-/// see polygon_exactness.
-FN Real outline_exactness(Surface s, Vec3 center, Real radius) {
-  Real inv_length = inverse_length(center);
-  Vec3 sum = center * inv_length + s.wo;
-  Real g2 = sum.x * sum.x + sum.y * sum.y + s.alpha * s.alpha * sum.z * sum.z;
-  Real z = max(center.z * inv_length, Real(0.0));
-  Real masking = min(sum.z * sum.z, z * z + s.alpha * s.alpha);
-  Real reach = radius * inv_length * inversesqrt(max(min(Real(0.25) * g2, masking), Real(k_tiny)));
-  Real exact =
-      min(max((reach - Real(k_four_points_radius)) * Real(k_inv_four_points_range), Real(0.0)),
-          Real(1.0));
-  return select(center.z > radius, exact, Real(1.0));
-}
-
-/// From the diffuse vector irradiance times 2 pi and the exact specular light.
-FN LightIntegral exact_light_integral(Surface s, Vec3 diffuse, ExactIntegral specular) {
-  LightIntegral integral;
-  integral.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
-  integral.diffuse_direction = safe_direction(diffuse);
-  // The same of either lobe, so that together they have this share.
-  Real all = s.fitted.n1 * (s.inv_share + s.second_inv_share);
-  integral.specular = specular.light / max(all, Real(k_tiny));
-  integral.second = integral.specular;
-  integral.specular_direction = specular.direction;
-  integral.first_direction = specular.direction;
-  integral.second_direction = specular.direction;
-  integral.concentration = Real(0.0); // nothing to correct: see ratio_weight
-  return integral;
-}
-
-/// a where the mask is set, b elsewhere.
-FN LightIntegral select_integral(Mask m, LightIntegral a, LightIntegral b) {
-  LightIntegral integral;
-  integral.diffuse = select(m, a.diffuse, b.diffuse);
-  integral.specular = select(m, a.specular, b.specular);
-  integral.diffuse_direction = select(m, a.diffuse_direction, b.diffuse_direction);
-  integral.specular_direction = select(m, a.specular_direction, b.specular_direction);
-  integral.second = select(m, a.second, b.second);
-  integral.first_direction = select(m, a.first_direction, b.first_direction);
-  integral.second_direction = select(m, a.second_direction, b.second_direction);
-  integral.concentration = select(m, a.concentration, b.concentration);
-  return integral;
 }
