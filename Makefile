@@ -62,8 +62,10 @@ web: build ## Make the npm packages, the laboratory, and fetch three.js for its 
 web-test: web ## Test the npm packages and the laboratory: in Node, on all renderers of three releases of three.js
 	@/usr/bin/python3 -B tests/web/pack.py --openltc build/release/bin/openltc --work out/web-test --types
 	@/usr/bin/python3 -B tests/web/three.py --openltc build/release/bin/openltc --work out/web-test --all
-	@/usr/bin/python3 -B tests/web/openltc.py --openltc build/release/bin/openltc --package out/web/openltc --work out/web-test/openltc
+	@/usr/bin/python3 -B tests/web/openltc.py --openltc build/release/bin/openltc --package out/web/openltc --work out/web-test/openltc --types
+	@/usr/bin/python3 -B tests/web/lights.py --openltc build/release/bin/openltc --package out/web/openltc --work out/web-test/lights
 	@/usr/bin/python3 -B tests/web/lab.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/lab
+	@/usr/bin/python3 -B tests/web/keyboard.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/keyboard
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh

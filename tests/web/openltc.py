@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: MIT
 """Runs the npm package `openltc` of web/wasm in Node and compares what it makes with the command line's.
 
-    openltc.py --openltc PROGRAM --package FOLDER --work DIR
+    openltc.py --openltc PROGRAM --package FOLDER --work DIR [--types]
 
-FOLDER is what `make web` makes. Every table of openltc.mjs equals the native one to 1e-6, number by number, and
+--types: a TypeScript program that uses all of it compiles too, by the compiler of tests/web/releases. FOLDER is what `make web` makes. Every table of openltc.mjs equals the native one to 1e-6, number by number, and
 passes `openltc inspect`; what a caller may do wrong is tried by openltc.mjs itself. The times that are printed are
 those of a table of 64 x 64 nodes; the command line's is on as many cores as WebAssembly has threads: one.
 
@@ -23,9 +23,56 @@ import subprocess
 import sys
 
 k_here = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(k_here)), "tools", "npm"))
+import npm_packages
+
 k_apart = 1e-6
 k_number = re.compile(r"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 k_layouts = ("native", "ltc_code", "unity", "godot", "o3de")
+
+
+# Every name that the types have, and mistakes that they must see.
+k_program = """
+import {OpenltcError, loadLightReader, loadOpenltc} from 'openltc';
+import type {AreaLight, BatchFunction, BrdfSource, Cell, FileLights, Fit, FitFile, FitOptions, LightReader, LobeError, Openltc,
+             PolygonFigure, PolygonSpace, Texture} from 'openltc';
+
+const openltc: Openltc = await loadOpenltc({wasm: new Uint8Array()});
+const lambert: BatchFunction = (wo, wi, roughness, out) => { out.fill(wo[2] * wi[0] * roughness); };
+const source: BrdfSource = {evaluate: lambert, name: 'mine', width: 'one', parameter: false};
+const options: FitOptions = {brdf: source, form: 'two-lobe', size: 16, degree: 4, objective: 'tv', layout: 'native',
+                             precision: 'float16', refine: 'on', clipAware: true, engine: 'godot', progress: share => share < 1};
+const fit: Fit = openltc.fit(options);
+const error: LobeError = fit.mean, [texture]: Texture[] = fit.textures, [file]: FitFile[] = fit.files('a.json');
+const [cell]: Cell[] = fit.cells({roughness: [0.5], thetaDegrees: new Set([45]), side: 64});
+const figure: PolygonFigure = fit.polygon({roughness: 0.5, thetaDegrees: 45, corners: [[0, 0, 1], [1, 0, 1], [0, 1, 1]], samples: 9});
+const space: PolygonSpace = figure.shading;
+const numbers: number = error.tv + texture.values[0] + file.bytes.length + cell.brdf[0] + space.integral + openltc.memoryBytes
+    + fit.map.tv[0] + openltc.colormaps.magma[0] + fit.report({lights: 0, limit: true}).regions.length;
+fit.free();
+for (const brdf of ['ggx', lambert, {merl: new ArrayBuffer(8), name: 'x.binary'}]) openltc.fit({brdf});
+
+const reader: LightReader = await loadLightReader();
+const found: FileLights = reader.readLights(new ArrayBuffer(4), {name: 'a.glb', recogniseShapes: true});
+const size = (light: AreaLight): number => {
+  switch (light.type) {
+    case 'polygon': return light.rings.length + light.normal[0] + light.radiance[0];
+    case 'ellipse': return light.center[0] + light.halfU[1] + light.halfV[2] + light.cosinePower;
+    case 'sphere': return light.twoSided ? light.radius : light.center[0];
+    case 'tube': return light.caps === 'flat' ? light.radius : light.from[0] - light.to[0];
+    case 'line': return light.intensityPerMetre[0];
+  }
+};
+console.log(numbers, found.lights.map(size), found.warnings.join(), found.describesLights, reader.memoryBytes, OpenltcError.name);
+// @ts-expect-error: no such form
+openltc.fit({form: 'three-lobe'});
+// @ts-expect-error: a function of numbers, not of words
+openltc.fit({brdf: () => 'red'});
+// @ts-expect-error: a line has no surface
+found.lights.forEach(light => light.type === 'line' && light.radiance);
+// @ts-expect-error: a file's bytes, not its name
+reader.readLights('a.glb');
+"""
 
 
 def skip(reason):
@@ -87,11 +134,25 @@ def check_package(node, folder, work):
         sys.exit(1)
 
 
+def check_types(node, work):
+    """A program of TypeScript compiles beside the installed package."""
+    why = npm_packages.install(os.path.join(k_here, "releases"), os.path.join(os.path.dirname(work), "releases"))
+    if why:
+        skip(why)
+    project = os.path.join(work, "project")
+    with open(os.path.join(project, "program.ts"), "w", encoding="utf-8") as out:
+        out.write(k_program)
+    run(node, os.path.join(os.path.dirname(work), "releases/node_modules/typescript/bin/tsc"), "--noEmit", "--strict", "--target", "es2022",
+        "--lib", "es2022,dom", "--module", "nodenext", os.path.join(project, "program.ts"))
+    print("a TypeScript program that uses all of it compiles")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--openltc", required=True)
     parser.add_argument("--package", required=True)
     parser.add_argument("--work", required=True)
+    parser.add_argument("--types", action="store_true", help="a TypeScript program too")
     arguments = parser.parse_args()
     arguments.openltc = os.path.abspath(arguments.openltc)
     node = shutil.which("node")
@@ -146,6 +207,8 @@ def main():
             print("FAILED o3de/%s is too short" % name)
 
     check_package(node, os.path.dirname(module), work)
+    if arguments.types:
+        check_types(node, work)
     size = os.path.getsize(module)
     packed = len(gzip.compress(open(module, "rb").read(), 9))
     print("openltc.wasm: %d KiB, %d KiB gzip; memory %.1f MiB after 200 refits" %

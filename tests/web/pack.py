@@ -25,7 +25,7 @@ from engines import run, skip
 k_source = os.path.join(k_root, "web", "three")
 # What build.mjs adds to the sources, and what of them is not for users.
 k_made = {"LICENSE", "shaders_glsl.js", "shaders_wgsl.js"}
-k_left = {"build.mjs"}
+k_left = {"branchless.mjs", "build.mjs"}
 
 # Which names an entry has, beside those that its declarations have.
 k_names = """

@@ -55,6 +55,12 @@ k_scenes = {
                    flux_lumens=0.8, two_sided=True)]
             + [light("polygon", (0.3 * k - 0.9, 1.0, -0.6), (0.3 * k - 0.9, 0.0, 0.0), 1,
                      (1.0, 0.3 + 0.1 * k, 0.2), points=star(17, 0.12, 0.06)) for k in range(7)],
+    # More than a driver would take one by one, of each round shape; they cross the floor and each other.
+    "round": [light(shape, (0.3 * (k % 6) - 0.8, (0.25, 0.5)[k // 6] + 0.3 * row, 0.2 + 0.25 * row - 0.4 * (k // 6)), k_middle, 3,
+                    ((1.0, 0.9, 0.75), (0.4, 0.6, 1.0), (1.0, 0.5, 0.3))[(k + row) % 3], **sizes)
+              for row, (shape, sizes) in enumerate((("disk", {"radius": 0.08}), ("sphere", {"radius": 0.05}),
+                                                    ("tube", {"length": 0.2, "radius": 0.02})))
+              for k in range(12)],
 }
 k_ext_lights = [{"type": "rect", "size": 0.25, "intensity": 4, "rect": {"aspect": 2}, "color": [1, 0.9, 0.75]},
                 {"type": "disk", "size": 0.3, "intensity": 5}]

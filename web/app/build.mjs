@@ -25,7 +25,7 @@ mkdirSync(join(folder, 'shaders'), {recursive: true});
 for (const name of readdirSync(here))
   if (/\.(js|html|css)$/.test(name)) cpSync(join(here, name), join(folder, name));
 mkdirSync(join(folder, 'openltc'));
-for (const name of ['index.js', 'module.js', 'openltc.wasm', 'LICENSE'])
+for (const name of ['index.js', 'lights.js', 'module.js', 'openltc.wasm', 'LICENSE'])
   cpSync(join(packageFolder, name), join(folder, 'openltc', name));
 for (const language in languages)
   for (const lobe of ['table', 'two-lobe']) {

@@ -20,7 +20,8 @@ function element(name, attributes, parent) {
 /// One of the two discs: the picture of a density, the polygon over it, what is kept of it, and samples; `horizon`
 /// is the normal of the other space's.
 export function drawSpace(svg, {density, space, horizon}) {
-  svg.replaceChildren();
+  // Handles stay until they are drawn anew: one of them may have the focus.
+  for (const old of [...svg.children]) if (!old.classList.contains('handle')) old.remove();
   const id = svg.id + '-inside';
   element('circle', {r: 1}, element('clipPath', {id}, svg));
   element('image', {href: density, x: -1, y: -1, width: 2, height: 2, 'clip-path': `url(#${id})`}, svg);
@@ -65,7 +66,6 @@ export class Handles {
   #light;
   #dragged = null; // {corner, from, outline, pointer}
   #options;
-  #focused = -1;
 
   constructor(svg, options) {
     this.#svg = svg;

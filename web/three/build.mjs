@@ -12,6 +12,7 @@ import {cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, write
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
+import {helpers, withoutBranches} from './branchless.mjs';
 
 const prefix = 'openltc_';
 
@@ -46,7 +47,10 @@ function shaders(openltc, language) {
     execFileSync(openltc, ['shaders', '--language', language, '--lean', '--shapes', 'quad,polygon,disk,sphere,tube,line,textured',
                            '--prefix', prefix, '--quiet', '-o', folder]);
     const [name] = readdirSync(folder);
-    return definitions(code(readFileSync(join(folder, name), 'utf8')));
+    const found = definitions(code(readFileSync(join(folder, name), 'utf8'))).map(([own, text]) => [own, withoutBranches(text)]);
+    const left = found.find(([, text]) => /[?]|&&|[|][|]/.test(text));
+    if (left) throw new Error('a condition that is no call: ' + left[1]);
+    return [...helpers[language], ...found];
   } finally {
     rmSync(folder, {recursive: true});
   }

@@ -80,6 +80,7 @@ class WebGPUSceneLights extends SceneLights {
   depth = 0; // pictures of this scene that are being drawn, one within the other: they share a texture
   forms = '';
   node = null;
+  warned = false;
   lists = new Map(); // three.js's nodes of the lights of this scene, and their setLights
 
   begin(renderer, camera) {
@@ -91,6 +92,10 @@ class WebGPUSceneLights extends SceneLights {
 
   update(camera) {
     const forms = this.collect(camera), textures = [this.rows.texture, this.pictures];
+    if (this.rows.casts && !this.warned)
+      console.warn('openltc-three: castShadow of area lights does nothing with WebGPURenderer; WebGLRenderer has their ' +
+                   'shadows, by openltc-three/shadows');
+    this.warned ||= this.rows.casts;
     if (forms !== this.forms) this.node = forms ? new AreaLightsNode(forms, ...textures) : null;
     else this.node?.setTextures(...textures);
     this.forms = forms;

@@ -37,17 +37,13 @@ function withDefinitions(text, definitions) {
   return definitions.filter(([name]) => needed.has(name)).map(([, own]) => own).join('\n') + '\n' + text;
 }
 
-// Round shapes are written out for so many lights: SwiftShader, which compiles one in a second, takes minutes for
-// one in a loop.
-const round = ['ellipse', 'sphere', 'tube'], mostCopies = 4;
-
-// And each picture is a texture of its own, which no loop can choose.
+// Each picture is a texture of its own, which no loop can choose: lights with pictures are written out.
 const isPicture = shape => shape.endsWith('_picture');
 
 /// What a shader holds for `count` lights of a shape, beside the number itself: as a word, '' for none.
 export function formOf(shape, count) {
   if (count === 0) return '';
-  return isPicture(shape) || (round.includes(shape) && count <= mostCopies) ? `${shape}:${count}` : shape;
+  return isPicture(shape) ? `${shape}:${count}` : shape;
 }
 
 /// How many pictures a scene's shader has, for its forms.
@@ -62,10 +58,9 @@ function sumOf(form, {int, pictureArgument}, pictures, radiance) {
     sum = openltc_add_light(sum, ${call}, ${radiance});
     i += ${int}(abs(head.w));
 `;
-  const calling = isPicture(shape) ? pictures.splice(0, copies).map(name => call(pictureArgument(name)))
-                                   : Array(Number(copies ?? 0)).fill(call);
-  const lights = copies ? calling.map(one => `  if (i < end) {\n${body(one)}  }\n`).join('')
-                        : `  while (i < end) {\n${body(call)}  }\n`;
+  const lights = isPicture(shape)
+      ? pictures.splice(0, copies).map(name => `  if (i < end) {\n${body(call(pictureArgument(name)))}  }\n`).join('')
+      : `  while (i < end) {\n${body(call)}  }\n`;
   return `  head = openltc_element(${heads[shape]});
   i = ${int}(head.x);
   end = ${int}(head.y);

@@ -15,5 +15,5 @@ if ! command -v clang++-22 > /dev/null || [[ ! -e /usr/lib/wasm32-wasi/crt1-reac
 fi
 cmake -S web/wasm -B build/wasm -G Ninja -DCMAKE_TOOLCHAIN_FILE="$PWD/web/wasm/toolchain.cmake" > /dev/null
 cmake --build build/wasm --parallel "$jobs"
-node web/wasm/build.mjs build/wasm/openltc.wasm "$out/openltc"
+node web/wasm/build.mjs build/wasm "$out/openltc"
 node web/app/build.mjs "$openltc" "$out/openltc" "$out/app"

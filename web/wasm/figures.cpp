@@ -3,10 +3,10 @@
 //
 // The numbers of two figures: of fits and of a polygon.
 
+#include "fits.h"
 #include "openltc/fit/measure/polygon_integral.h"
 #include "openltc/plot/fit_cells.h"
 #include "openltc/plot/polygon_equivalence.h"
-#include "requests.h"
 
 #include <fmt/format.h>
 

@@ -3,11 +3,12 @@
 //
 // Fits and their files, as `openltc fit` makes them.
 
+#include "fits.h"
+
 #include "cli/fit_command.h"
 #include "openltc/brdf/choose.h"
 #include "openltc/brdf/merl.h"
 #include "openltc/table/container/description.h"
-#include "requests.h"
 
 #include <fmt/format.h>
 
@@ -25,12 +26,12 @@ std::map<int, std::unique_ptr<Kept>>& fits() {
   return all;
 }
 
-// "brdf": {"name"}, {"merl": address, "size", "name"} or {"function": true, "name", "width",
-// "parameter"}.
+// "brdf": {"name"}, {"at": address, "size", "name"} of a MERL file or {"function": true, "name",
+// "width", "parameter"}.
 Result<brdf::Brdf> brdf_of(const Json& description) {
   if (description.contains("function")) return brdf_of_page(description);
-  if (description.contains("merl")) {
-    const auto at = std::uintptr_t(number_of(description, "merl", 0));
+  if (description.contains("at")) {
+    const auto at = std::uintptr_t(number_of(description, "at", 0));
     const auto size = std::size_t(number_of(description, "size", 0));
     return brdf::parse_merl({reinterpret_cast<const std::uint8_t*>(at), size},
                             text_of(description, "name", "material.binary"));

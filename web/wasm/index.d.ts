@@ -184,3 +184,45 @@ export interface Openltc {
 
 /** Loads the module from beside this file, or from `wasm`: its bytes, or what WebAssembly.compile made of them. */
 export function loadOpenltc(options?: {wasm?: BufferSource | WebAssembly.Module}): Promise<Openltc>;
+
+/** What all lights but lines have. Lengths are metres, positions those of the file, +Y up. */
+interface Emitter {
+  name: string;
+  /** cd/m2, linear Rec.709, along the normal of what emits. */
+  radiance: Point;
+  twoSided: boolean;
+  /** At the angle t from the normal the radiance is `radiance` times cos(t) to this power; 0: the same everywhere. */
+  cosinePower: number;
+}
+
+/** A light of a glTF file, as `openltc render` has it. */
+export type AreaLight =
+    | Emitter & {type: 'polygon'; /** Towards the emitting side. */ normal: Point;
+        /** Seen from there outlines run counter-clockwise, holes clockwise. */ rings: Point[][]}
+    | Emitter & {type: 'ellipse'; center: Point; /** Semi-axes; it emits along halfU x halfV. */ halfU: Point; halfV: Point}
+    | Emitter & {type: 'sphere'; center: Point; radius: number}
+    | Emitter & {type: 'tube'; from: Point; to: Point; radius: number; caps: 'none' | 'flat' | 'round'}
+    | {type: 'line'; name: string; from: Point; to: Point; /** cd/m, seen at a right angle. */ intensityPerMetre: Point};
+
+export interface FileLights {
+  /** Of EXT_lights_area, of openltc_light, and of emissive surfaces. */
+  lights: AreaLight[];
+  /** Whether the file says expressly that there is light. */
+  describesLights: boolean;
+  /** One line each, as `openltc render` says them. */
+  warnings: string[];
+}
+
+export interface LightReader {
+  /**
+   * The area lights of a .glb or .gltf, of one file: what lies beside it is not read, nor are pictures, Draco or
+   * meshopt data, and what of it needs them is in the warnings, or an error. `name` stands for the file in messages;
+   * `recogniseShapes` is --recognise-shapes of `openltc render`.
+   */
+  readLights(file: Uint8Array | ArrayBuffer, options?: {name?: string; recogniseShapes?: boolean}): FileLights;
+  /** What the module has taken. */
+  readonly memoryBytes: number;
+}
+
+/** Loads the reader of glTF files, a module of its own, from beside this file or from `wasm`. */
+export function loadLightReader(options?: {wasm?: BufferSource | WebAssembly.Module}): Promise<LightReader>;

@@ -3,34 +3,12 @@
 //
 // The fitter of OpenLTC in a page, a worker or Node. index.d.ts documents what is exported.
 
-import {instantiate} from './module.js';
+import {OpenltcError, bytesOf, checked, compileModule, describe, instantiate} from './module.js';
 
-/// What could not be done, in one line.
-export class OpenltcError extends Error {
-  constructor(message, options) {
-    super(message, options);
-    this.name = 'OpenltcError';
-  }
-}
+export {OpenltcError};
+export {loadLightReader} from './lights.js';
 
 const forms = ['table', 'two-lobe', 'polynomial', 'two-lobe-polynomial'];
-
-// The member of an object, or an error that names it.
-function checked(object, name, type, otherwise) {
-  const value = object[name];
-  if (value === undefined) return otherwise;
-  if (typeof value !== type || (type === 'number' && !Number.isFinite(value)))
-    throw new OpenltcError(`${name} is ${describe(value)}; it is to be a ${type === 'number' ? 'finite number' : type}`);
-  return value;
-}
-
-function describe(value) {
-  if (typeof value === 'string') return `the string ${JSON.stringify(value.slice(0, 40))}`;
-  if (Array.isArray(value)) return `an array of ${value.length}`;
-  if (ArrayBuffer.isView(value)) return `a ${value.constructor.name} of ${value.length}`;
-  if (value === null || typeof value !== 'object') return String(value);
-  return `an object (${value.constructor?.name ?? 'of no class'})`;
-}
 
 // Of what a batch function returned, or left in `out`, the first thing that is no number.
 function takeValues(returned, out) {
@@ -118,7 +96,7 @@ class Openltc {
     };
     let json;
     try {
-      if (bytes) Object.assign(request.brdf, {merl: put(bytes), size: bytes.length});
+      if (bytes) Object.assign(request.brdf, {at: put(bytes), size: bytes.length});
       const text = new TextEncoder().encode(JSON.stringify(request));
       exports.openltc_ask(put(text), text.length);
       for (const at of taken) exports.openltc_give(at);
@@ -186,10 +164,7 @@ function describeBrdf(brdf) {
     throw new OpenltcError(`brdf is ${describe(brdf)}; it is a name, {merl: bytes} or {evaluate: function}`);
   const name = checked(brdf, 'name', 'string');
   if (brdf.merl !== undefined) {
-    const bytes = brdf.merl instanceof ArrayBuffer ? new Uint8Array(brdf.merl) : brdf.merl;
-    if (!(bytes instanceof Uint8Array))
-      throw new OpenltcError(`merl is ${describe(brdf.merl)}; it is a Uint8Array or ArrayBuffer of a file`);
-    return {description: {name: name ?? 'material.binary'}, bytes};
+    return {description: {name: name ?? 'material.binary'}, bytes: bytesOf(brdf.merl, 'merl')};
   }
   if (typeof brdf.evaluate !== 'function')
     throw new OpenltcError(`evaluate is ${describe(brdf.evaluate)}; it is a function of (wo, wi, roughness, out)`);
@@ -250,22 +225,5 @@ class Fit {
 
 /// Loads the module. In a page it is fetched from beside this file, in Node read from there.
 export async function loadOpenltc(options = {}) {
-  const url = new URL('./openltc.wasm', import.meta.url);
-  let source = options.wasm;
-  if (source === undefined && url.protocol === 'file:') {
-    const {readFile} = await import('node:fs/promises');
-    source = await readFile(url);
-  }
-  let compiled;
-  if (source instanceof WebAssembly.Module) {
-    compiled = source;
-  } else if (source === undefined) {
-    const response = await fetch(url);
-    if (!response.ok) throw new OpenltcError(`${url}: ${response.status} ${response.statusText}`);
-    // Not compileStreaming, which wants a media type that plain servers of files do not send.
-    compiled = await WebAssembly.compile(await response.arrayBuffer());
-  } else {
-    compiled = await WebAssembly.compile(source);
-  }
-  return new Openltc(compiled);
+  return new Openltc(await compileModule('openltc.wasm', options.wasm));
 }

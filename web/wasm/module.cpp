@@ -1,30 +1,14 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 //
-// The functions that the module exports, and those that it wants of the page.
+// The functions that a module exports.
 
 #include "requests.h"
 
 #include <cstdlib>
-#include <optional>
 #include <utility>
 
 #define OPENLTC_EXPORT(name) extern "C" __attribute__((export_name(#name)))
-#define OPENLTC_IMPORT(name)                                                                       \
-  extern "C" __attribute__((import_module("openltc"), import_name(#name)))
-
-// count directions at wi, x y z each; f of each goes to values.
-OPENLTC_IMPORT(brdf)
-void page_brdf(double x, double y, double z, const double* wi, int count, double roughness,
-               double* values);
-OPENLTC_IMPORT(progress) int page_progress(double share);
-
-// The library is compiled without exceptions: what would throw, for lack of memory, ends the
-// module.
-extern "C" {
-void* __cxa_allocate_exception(std::size_t) { std::abort(); }
-void __cxa_throw(void*, void*, void (*)(void*)) { std::abort(); }
-}
 
 namespace openltc::wasm {
 
@@ -33,23 +17,7 @@ namespace {
 Answer last;
 std::string last_json;
 
-static_assert(sizeof(Vec3d) == 3 * sizeof(double));
-
 } // namespace
-
-brdf::Brdf brdf_of_page(const Json& description) {
-  const bool wide = text_of(description, "width") == "one";
-  brdf::Brdf brdf = brdf::brdf_from_batch(
-      text_of(description, "name", "function"),
-      [](Vec3d wo, std::span<const Vec3d> wi, double roughness, std::span<double> values) {
-        page_brdf(wo.x, wo.y, wo.z, &wi.data()->x, int(wi.size()), roughness, values.data());
-      },
-      wide ? brdf::LobeWidth::one : brdf::LobeWidth::alpha);
-  if (number_of(description, "parameter", 1) == 0) brdf.parameter.clear();
-  return brdf;
-}
-
-bool tell_page(double share) { return page_progress(share) != 0; }
 
 } // namespace openltc::wasm
 

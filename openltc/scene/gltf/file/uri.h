@@ -8,12 +8,16 @@
 #include "openltc/base/memory_budget.h"
 #include "openltc/base/regular_file.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace openltc::scene::gltf {
+
+/// Characters of a path in messages.
+inline constexpr std::size_t k_longest_path = 160;
 
 /// Where a file's references are looked up.
 struct Folder {
@@ -33,6 +37,11 @@ Folder folder_of(const std::string& path, bool allow_outside);
 /// `field` when it is a network address, leads out of the folder and may not, or when there is no
 /// folder. Whether the file exists is not asked.
 std::string resolve_uri(const std::string& uri, const Folder& folder, const std::string& field);
+
+/// The path of `name`, which `uri` says, in `folder`: the second half of resolve_uri, with its
+/// errors.
+std::string find_in_folder(const std::string& name, const std::string& uri, const Folder& folder,
+                           const std::string& field);
 
 /// One text for all spellings of a path, links followed.
 std::string canonical_path(const std::string& path);

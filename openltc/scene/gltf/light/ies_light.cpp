@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace openltc::scene::gltf {
@@ -200,10 +199,7 @@ std::shared_ptr<const light::IesProfile> ProfileFiles::find(const std::string& k
 
 std::shared_ptr<const light::IesProfile>
 ProfileFiles::read(const std::string& path, const std::string& field, Warnings& warnings) {
-  // The same file goes by many spellings of its path.
-  std::error_code ec;
-  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ec);
-  const std::string key = ec ? path : canonical.string();
+  const std::string key = canonical_path(path);
   if (auto known = find(key, field)) return known;
   return keep(key, field, light::read_photometry(path), warnings);
 }
