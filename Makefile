@@ -53,19 +53,21 @@ package: build ## Make a .deb and a .tar.gz of the tool: out
 python: setup ## Make the Python wheels and the source distribution: out/python
 	@CXX=$(release_cxx) tools/python/make_wheels.sh $(PYTHON)
 
-web: build ## Make the npm packages, the laboratory, and fetch three.js for its example: out/web
+web: build ## Make the npm packages, the laboratory, the viewer, and fetch three.js for its example: out/web
 	@web/wasm/build.sh build/release/bin/openltc out/web $(JOBS)
 	@node web/three/build.mjs build/release/bin/openltc out/web/openltc-three
 	@cp tests/web/package.json tests/web/package-lock.json out/web
 	@npm ci --prefix out/web --ignore-scripts --no-audit --no-fund
+	@node web/app/build_viewer.mjs out/web
 
-web-test: web ## Test the npm packages and the laboratory: in Node, on all renderers of three releases of three.js
+web-test: web ## Test the npm packages, the laboratory and the viewer: in Node, on all renderers of three releases of three.js
 	@/usr/bin/python3 -B tests/web/pack.py --openltc build/release/bin/openltc --work out/web-test --types
 	@/usr/bin/python3 -B tests/web/three.py --openltc build/release/bin/openltc --work out/web-test --all
 	@/usr/bin/python3 -B tests/web/openltc.py --openltc build/release/bin/openltc --package out/web/openltc --work out/web-test/openltc --types
 	@/usr/bin/python3 -B tests/web/lights.py --openltc build/release/bin/openltc --package out/web/openltc --work out/web-test/lights
 	@/usr/bin/python3 -B tests/web/lab.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/lab
 	@/usr/bin/python3 -B tests/web/keyboard.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/keyboard
+	@/usr/bin/python3 -B tests/web/viewer.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/viewer
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh

@@ -26,5 +26,6 @@ void add_inspect(CLI::App& app, int& exit_code);
 void add_plot(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 void add_shaders(CLI::App& app, int& exit_code);
+void add_view(CLI::App& app, int& exit_code);
 
 } // namespace openltc::cli

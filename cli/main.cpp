@@ -62,6 +62,7 @@ int run_command(int argc, char** argv) {
   openltc::cli::add_convert(app, exit_code);
   openltc::cli::add_plot(app, exit_code);
   openltc::cli::add_shaders(app, exit_code);
+  openltc::cli::add_view(app, exit_code);
   refuse_empty_values(app);
   openltc::cli::require_finite_numbers(app);
 

@@ -8,6 +8,9 @@ install(TARGETS openltc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT to
 install(FILES LICENSE README.md README.zh-CN.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
 install(DIRECTORY docs shaders DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
 
+# The page of `openltc view`, where `make web` has made it.
+install(DIRECTORY out/web/app/ DESTINATION ${CMAKE_INSTALL_DATADIR}/openltc/app COMPONENT tool OPTIONAL)
+
 # Debian has its own places, for what packages bring zsh and for the licence.
 install(CODE "
   set(zsh_folder site-functions)

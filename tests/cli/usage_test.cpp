@@ -13,7 +13,8 @@ TEST_CASE("help_of_the_tool_names_every_command_and_what_it_does") {
   const Run help = run_tool({"--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.err.empty());
-  for (const char* command : {"render", "fit", "compare", "inspect", "convert", "plot", "shaders"})
+  for (const char* command :
+       {"render", "fit", "compare", "inspect", "convert", "plot", "shaders", "view"})
     CHECK(contains(help.out, std::string("\n  ") + command + " "));
   CHECK(line_count(help.out) < 30); // the whole tool at a glance
   const Run version = run_tool({"--version"});
@@ -77,6 +78,7 @@ TEST_CASE("help_of_each_command_lists_its_options_and_examples") {
        {"--language", "glsl|glsl-es|hlsl|metal|wgsl|gdshader", "--lobe",
         "polynomial|two-lobe-polynomial|table|two-lobe", "--shapes", "textured", "--prefix", "-o,",
         "openltc shaders"}},
+      {"view", {"--port", "--no-open", "--page", "127.0.0.1", "openltc view"}},
       {"convert", {"--layout", "--precision", "--from-layout", "--size", "openltc convert"}},
       {"compare", {"--metric", "--diff", "--json", "FLIP", "openltc compare"}},
       {"inspect", {"--json", ".glb", ".exr", "openltc inspect"}}};

@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-k_commands = ["render", "compare", "fit", "convert", "inspect", "plot", "shaders"]
+k_commands = ["render", "compare", "fit", "convert", "inspect", "plot", "shaders", "view"]
 # Files of the tool that serve other commands than their name says.
 k_served = {
     "picture_output": ["render"], "shape_options": ["render", "convert", "inspect"],

@@ -5,7 +5,7 @@
 //
 //   node web/app/build.mjs OPENLTC PACKAGE FOLDER
 //
-// OPENLTC is the tool, which writes the shaders, PACKAGE what web/wasm/build.mjs made.
+// OPENLTC is the tool, which writes the shaders, PACKAGE what web/wasm/build.mjs made. build_viewer.mjs adds the viewer.
 
 import {execFileSync} from 'node:child_process';
 import {cpSync, mkdirSync, mkdtempSync, readdirSync, rmSync} from 'node:fs';

@@ -7,7 +7,9 @@
 // made by three.js's own RE_Direct of a point of each light, so that they weigh as the material reflects.
 
 import {ShaderChunk} from 'three';
+import {glsl} from './glsl.js';
 import {heads, originIndex} from './rows.js';
+import {diffuseShareFunction} from './shader_text.js';
 
 // From `from` to a point of the light at head i: its direction and distance, and 1 over the density of that direction.
 // u: three numbers from 0 to 1. Positions as the rows have them.
@@ -89,8 +91,10 @@ const hits = {
 const canHit = shape => shape in hits;
 
 /// Declarations and functions for the pass that sums, to stand before main(), after those of the closed form's
-/// elements; BVH functions of three-mesh-bvh stand before them. `names`: those of pictures.
-export function rayFunctions(forms, names) {
+/// elements; BVH functions of three-mesh-bvh stand before them. `names`: those of pictures. `exact`: the sums are those
+/// of the material itself, without what quiets a ratio, its diffuse part less what the specular one reflects, which
+/// three.js leaves to it.
+export function rayFunctions(forms, names, exact) {
   const left = [...names], shapes = forms.map(form => form.split(':'));
   const body = (shape, factor) => `    head = openltc_element(i);
     if (head.w < 0.0) {
@@ -98,7 +102,7 @@ export function rayFunctions(forms, names) {
 ${canHit(shape) ? `      if (u.z < by_lobe) to = openltc_hit_${shape}(i, from, openltc_lobe_direction(place, u.xy));
       else to = openltc_sample_${shape}(i, from, u);
       openltc_add_ray(to, head.rgb${factor}, place, by_lobe);` : `      to = openltc_sample_${shape}(i, from, u);
-      openltc_add_ray(to, head.rgb${factor}, openltc_rougher(place), 0.0);`}
+      openltc_add_ray(to, head.rgb${factor}, ${exact ? 'place' : 'openltc_rougher(place)'}, 0.0);`}
     }
     i += int(abs(head.w));
 `;
@@ -109,7 +113,7 @@ ${canHit(shape) ? `      if (u.z < by_lobe) to = openltc_hit_${shape}(i, from, o
     return `  head = openltc_element(${heads[shape]});\n  i = int(head.x);\n  end = int(head.y);\n${lights}`;
   });
   const used = new Set(shapes.map(([shape]) => shape.replace('_picture', '')));
-  return `
+  return `${exact ? diffuseShareFunction(glsl) : ''}
 uniform BVH openltc_bvh;
 uniform uint openltc_frame;
 uniform highp sampler2D openltc_unshadowed, openltc_shadowed;
@@ -118,6 +122,7 @@ layout(location = 1) out highp vec4 openltc_shadowed_sum;
 struct openltc_Sample { vec3 direction; float far; float weight; };
 struct openltc_Place { vec3 origin; vec3 position, normal, view, coat_normal; PhysicalMaterial material; };
 vec3 openltc_sums[2];
+${exact ? 'float openltc_share;' : ''}
 
 vec3 openltc_across(vec3 n) { return normalize(abs(n.z) < 0.7 ? vec3(-n.y, n.x, 0.0) : vec3(0.0, -n.z, n.y)); }
 
@@ -200,14 +205,14 @@ void openltc_add_ray(openltc_Sample to, vec3 radiance, openltc_Place place, floa
   clearcoatSpecularDirect = vec3(0.0);
 #endif
   RE_Direct(light, place.position, place.normal, place.view, place.coat_normal, place.material, lit);
-  vec3 sum = lit.directDiffuse + lit.directSpecular;
+  vec3 sum = ${exact ? 'openltc_share * ' : ''}lit.directDiffuse + lit.directSpecular;
 #ifdef USE_CLEARCOAT
   sum += place.material.clearcoat * clearcoatSpecularDirect;
   clearcoatSpecularDirect = before;
 #endif
-  // Where the material reflects nothing of the points that were found, all of them count alike.
+${exact ? '' : `  // Where the material reflects nothing of the points that were found, all of them count alike.
   sum += 1.0e-4 * light.color;
-  openltc_sums[0] += sum;
+`}  openltc_sums[0] += sum;
   uvec4 face;
   vec3 normal, place_in_face;
   float side, hit = 0.0;
@@ -224,7 +229,9 @@ void openltc_trace(openltc_Place place) {
   openltc_Sample to;
   float by_lobe = place.material.roughness < openltc_smooth ? 0.5 : 0.0;
   openltc_sums[0] = openltc_sums[1] = vec3(0.0);
-${loops.join('')}}
+${exact ? `  openltc_share = openltc_diffuse_share(place.normal, place.view, place.material.specularColorBlended,
+      place.material.specularF90, place.material.roughness);
+` : ''}${loops.join('')}}
 `;
 }
 
@@ -232,22 +239,34 @@ ${loops.join('')}}
 const noCompensation = ShaderChunk.lights_physical_pars_fragment.includes('multiScatteringCompensation')
     ? 'material.multiScatteringCompensation = vec3(1.0);' : '';
 
+// No ray is sent for the coat: its shadows are those of a rougher one.
+const roughCoat = `
+#ifdef USE_CLEARCOAT
+  float coat = material.clearcoatRoughness;
+  material.clearcoatRoughness = max(coat, 0.25);
+#endif
+`;
+const coatAgain = `
+#ifdef USE_CLEARCOAT
+  material.clearcoatRoughness = coat;
+#endif
+`;
+// The material's own, as the closed form has it, but for three.js's least one.
+const ownRoughness = `
+  material.roughness = max(roughnessFactor, 0.0525);
+`;
+
 /// What follows three.js's own lights in main(), in the pass that sums.
-export const rayStatements = `
+export const rayStatements = exact => `
 {
   vec3 up = normalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
   mat3 to_world = transpose(mat3(viewMatrix));
   vec3 here = to_world * geometryPosition + cameraPosition;
-#ifdef USE_CLEARCOAT
-  float coat = material.clearcoatRoughness; // no ray is sent for the coat: its shadows are those of a rougher one
-  material.clearcoatRoughness = max(coat, 0.25);
-#endif
+  ${exact ? ownRoughness : roughCoat}
   ${noCompensation}
   openltc_trace(openltc_Place(here + (1.0e-4 + 1.0e-6 * length(here)) * (to_world * up), geometryPosition,
       geometryNormal, geometryViewDir, geometryClearcoatNormal, material));
-#ifdef USE_CLEARCOAT
-  material.clearcoatRoughness = coat;
-#endif
+  ${exact ? '' : coatAgain}
 }
 `;
 

@@ -46,18 +46,20 @@ function setUniforms(elements, pictures) {
   pictures.forEach((picture, k) => sharedUniforms[pictureNames[k]].value = picture);
 }
 
-// What a shader does, before the forms of its shapes: the closed form alone, times the ratio of shadows, or rays.
-const ratio = 'ratio', rays = 'rays';
+// What a shader does, before the forms of its shapes: the closed form alone, times the ratio of shadows, or rays, for
+// that ratio or of the material itself.
+const ratio = 'ratio', rays = 'rays', exact = 'exact', tasks = [ratio, rays, exact];
+const sends = task => task === rays || task === exact;
 
 const shadersOf = new Map(); // by that, as words, the text before main()
 const formsOf = new WeakMap(); // by material, what it was last compiled for
 
 function makeFunctions(words) {
-  const [task] = words, forms = words.filter(word => word !== ratio && word !== rays);
+  const [task] = words, forms = words.filter(word => !tasks.includes(word));
   const pictures = pictureNames.slice(0, picturesOf(forms));
   const elements = ['openltc_elements', ...pictures].map(name => `uniform highp sampler2D ${name};\n`).join('') +
       glsl.element('openltc_elements');
-  if (task === rays) return tracer.functions + elements + rayFunctions(forms, pictures);
+  if (sends(task)) return tracer.functions + elements + rayFunctions(forms, pictures, task === exact);
   if (task === ratio) return elements + ratioFunctions + functionsFor(forms, glsl, pictures, 'openltc_radiance(head)');
   return elements + functionsFor(forms, glsl, pictures);
 }
@@ -69,7 +71,7 @@ function functionsOf(words) {
 
 function statementsOf(words) {
   const [task] = words.split(' ');
-  return task === rays ? rayStatements : (task === ratio ? '\nopenltc_ratio = openltc_ratio_here();' : '') + statements;
+  return sends(task) ? rayStatements(task === exact) : (task === ratio ? '\nopenltc_ratio = openltc_ratio_here();' : '') + statements;
 }
 
 // Chains our change of the shader behind what the material has.
@@ -77,15 +79,15 @@ function take(material) {
   const {onBeforeCompile, customProgramCacheKey} = material;
   material.onBeforeCompile = function(shader, renderer) {
     onBeforeCompile.call(this, shader, renderer);
+    Object.assign(shader.uniforms, sharedUniforms); // without forms as well: three.js keeps those of the program made last
     const forms = formsOf.get(material);
     if (!forms) return;
     for (const text of [pars, begin])
       if (!shader.fragmentShader.includes(text))
         return console.warn(`openltc-three: the shader of material "${material.name}" has no ${text}: no area lights`);
-    Object.assign(shader.uniforms, sharedUniforms);
     shader.fragmentShader = shader.fragmentShader.replace(pars, () => `${pars}\n${functionsOf(forms)}`)
         .replace(begin, () => begin + statementsOf(forms))
-        .replace(end, () => forms.startsWith(`${rays} `) ? sumStatements : end);
+        .replace(end, () => sends(forms.split(' ')[0]) ? sumStatements : end);
   };
   // The default one is the text of onBeforeCompile, which is ours now.
   const own = customProgramCacheKey === material.constructor.prototype.customProgramCacheKey
@@ -113,7 +115,7 @@ class WebGLSceneLights extends SceneLights {
     const forms = this.look(camera), casts = forms && this.rows.casts && this.shadows?.canTrace(renderer);
     if (casts)
       this.shadows.trace(renderer, camera, () => {
-        this.prepareMaterials(`${rays} ${forms}`);
+        this.prepareMaterials(`${this.shadows.exact ? exact : rays} ${forms}`);
         this.isTracing = true;
         try {
           renderer.render(this.scene, camera);

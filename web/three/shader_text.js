@@ -108,3 +108,11 @@ export function functionsFor(forms, words, pictures, radiance = 'head.rgb') {
 `),
   ].join('\n'), definitions);
 }
+
+/// A function of what openltc_shade_layer is given: the share of the light that the specular part leaves to the diffuse.
+export function diffuseShareFunction(words) {
+  const {real, vec3, definitions, fn} = words;
+  return withDefinitions(fn(real, 'openltc_diffuse_share',
+      [[vec3, 'normal'], [vec3, 'view'], [vec3, 'f0'], [real, 'f90'], [real, 'roughness']],
+      `  return openltc_surface_at(${vec3}(0.0), normal, view, ${vec3}(1.0), f0, ${vec3}(f90), roughness).diffuse.x;\n`), definitions);
+}

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-import type {Scene} from 'three';
+import type {Scene, Texture} from 'three';
 import type {SceneLights} from './index.js';
 
 /** The shadows of a scene. */
@@ -12,6 +12,10 @@ export interface AreaShadows {
   readonly frame: number;
   /** After so many pictures no more rays are sent. */
   frames: number;
+  /** Whether the sums are a reference: the light of the material itself, without what makes a ratio less noisy. May be changed. */
+  exact: boolean;
+  /** Of each pixel the light of its rays, of `frame` pictures together, without and with what stands between; there after the first picture. */
+  readonly sums: {unshadowed: Texture, shadowed: Texture};
   /** Begins anew, for changes that are not seen by themselves: of materials, of what skins and morphs do to vertices. */
   reset(): void;
   /** Ends shadows; the lights shine on without. */
@@ -23,4 +27,4 @@ export interface AreaShadows {
  * lights are enabled too. Each picture adds a ray to each pixel and light, until a camera, light or mesh moves. All
  * visible meshes cast shadows but children of lights. Needs three-mesh-bvh.
  */
-export function enableAreaShadows(scene: Scene, options?: {frames?: number}): AreaShadows;
+export function enableAreaShadows(scene: Scene, options?: {frames?: number, exact?: boolean}): AreaShadows;

@@ -52,10 +52,18 @@ class AreaShadows {
   targets = [];
   warned = false;
 
-  constructor(lights, frames) {
+  constructor(lights, frames, exact) {
     this.lights = lights;
     this.frames = frames;
+    this.exact = exact;
     lights.shadows = this;
+  }
+
+  /// Textures of floats: of each pixel the light of its rays, of `frame` pictures together, without and with what
+  /// stands between. With `exact` they are a reference: what the material reflects of lights with castShadow.
+  get sums() {
+    const [unshadowed, shadowed] = this.targets[this.frame % 2].textures;
+    return {unshadowed, shadowed};
   }
 
   /// Begins anew, for changes that are not seen by themselves: of materials, and of what vertices do.
@@ -91,7 +99,7 @@ class AreaShadows {
       if (meshes.length) this.bvh.updateFrom(new MeshBVH(mergedGeometry(meshes)));
       this.frame = 0;
     }
-    const view = [size.x, size.y, ...camera.matrixWorld.elements, ...camera.projectionMatrix.elements,
+    const view = [size.x, size.y, this.exact ? 1 : 0, ...camera.matrixWorld.elements, ...camera.projectionMatrix.elements,
                   ...this.lights.rows.data];
     if (!sameNumbers(view, this.view)) {
       this.view = view;
@@ -122,7 +130,7 @@ class AreaShadows {
     this.lookAt(camera, size);
     this.reserve(size);
     if (this.frame < this.frames) this.addRays(renderer, outer, draw);
-    const [unshadowed, shadowed] = this.targets[this.frame % 2].textures;
+    const {unshadowed, shadowed} = this.sums;
     sharedUniforms.openltc_unshadowed.value = unshadowed;
     sharedUniforms.openltc_shadowed.value = shadowed;
   }
@@ -151,8 +159,9 @@ class AreaShadows {
 }
 
 /// Lets lights of a scene with castShadow have shadows, from the next picture of WebGLRenderer on. Returns an object:
-/// frame of frames rays of a pixel have been sent to each light since the last change.
-export function enableAreaShadows(scene, {frames = 256} = {}) {
+/// frame of frames rays of a pixel have been sent to each light since the last change. `exact`, which may be changed at
+/// any time: the sums are those of the material itself, noisier in smooth surfaces under tubes and in coats.
+export function enableAreaShadows(scene, {frames = 256, exact = false} = {}) {
   const lights = enableAreaLights(scene);
-  return lights.shadows ?? new AreaShadows(lights, frames);
+  return lights.shadows ?? new AreaShadows(lights, frames, exact);
 }

@@ -1,0 +1,382 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The OpenLTC authors
+# SPDX-License-Identifier: MIT
+"""Uses the viewer of web/app in a browser without a window, by real keys, pointer and files, and compares its picture
+with that of `openltc render`.
+
+    viewer.py --openltc PROGRAM --app FOLDER --work DIR
+
+FOLDER is what `make web` makes. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
+
+import argparse
+import base64
+import gzip
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+
+k_here = os.path.dirname(os.path.abspath(__file__))
+k_root = os.path.dirname(os.path.dirname(k_here))
+sys.path[:0] = [k_here, os.path.join(k_root, "tests", "parity"), os.path.join(k_root, "tests", "engines"),
+                os.path.join(k_root, "tools"), os.path.join(k_root, "tools", "npm")]
+import browser
+from bad_files import bad_files
+from devtools import Page, Server
+from engines import read_exr, run, skip
+from scenes import k_scenes, write_scene
+from three import shown
+
+k_size = (820, 560)
+# Steps of 255, in the mean, without edges, which the page smooths and the other does not.
+k_mean, k_edge, k_edges = 0.3, 8, 0.05
+k_loads = 50
+k_failures = []
+
+
+def check(holds, what):
+    if not holds:
+        k_failures.append(what)
+        print("FAILED " + what, flush=True)
+
+
+def ready(page, name):
+    """Waits until a scene is shown, and stands still."""
+    page.until("document.getElementById('list').dataset.scene === %s" % json.dumps(name), "the scene " + name, 120)
+    page.until("viewer.isStill", "a picture of " + name, 120)
+
+
+def drop(page, path):
+    """A file from outside, onto the picture."""
+    data = {"items": [], "files": [path], "dragOperationsMask": 1}
+    for kind in ("dragEnter", "dragOver", "drop"):
+        page.call("Input.dispatchDragEvent", type=kind, x=300, y=300, data=data)
+
+
+def message_after(page, path, word):
+    """What the page says of a file that it does not show."""
+    drop(page, path)
+    page.until("!document.getElementById('message').hidden && document.getElementById('message').textContent.includes(%s)"
+               % json.dumps(word), "a message with \"%s\"" % word, 60)
+    return page.evaluate("document.getElementById('message').textContent")
+
+
+def tab_to(page, condition, what, most=60):
+    """Presses Tab until the element that has the focus is the one."""
+    for _ in range(most):
+        if page.evaluate("(e => Boolean(%s))(document.activeElement)" % condition):
+            return True
+        page.key("Tab")
+    check(False, "Tab reaches " + what)
+    return False
+
+
+def picture(page):
+    """Width, height and the bytes of what "Picture, .png" gives."""
+    answer = page.evaluate("""new Promise(done => {
+      addEventListener('taken', async ({detail}) => {
+        const image = await createImageBitmap(detail.blob), canvas = new OffscreenCanvas(image.width, image.height);
+        canvas.getContext('2d').drawImage(image, 0, 0);
+        const {data} = canvas.getContext('2d').getImageData(0, 0, image.width, image.height);
+        let text = '';
+        for (let i = 0; i < data.length; i += 4) text += String.fromCharCode(data[i], data[i + 1], data[i + 2]);
+        done([image.width, image.height, btoa(text)]);
+      }, {once: true});
+      document.getElementById('save-png').click();
+    })""")
+    return answer[0], answer[1], base64.b64decode(answer[2])
+
+
+def saved_scene(page, path):
+    """Writes what "Scene, .glb" gives."""
+    answer = page.evaluate("""new Promise((done, failed) => {
+      addEventListener('taken', async ({detail}) => {
+        const reader = new FileReader();
+        reader.onload = () => done(reader.result.split(',')[1]);
+        reader.readAsDataURL(detail.blob);
+      }, {once: true});
+      document.getElementById('save-glb').click();
+    })""")
+    with open(path, "wb") as stream:
+        stream.write(base64.b64decode(answer))
+
+
+def light(page, k=0):
+    return json.loads(page.evaluate("""JSON.stringify((l => ({place: l.position.toArray(), width: l.width, height: l.height,
+        nits: l.luminance, color: l.color.toArray(), two: l.twoSided}))(viewer.pictures.lights[%d]))""" % k))
+
+
+def step_files(page, work):
+    drop(page, work + "/rect.glb")
+    ready(page, "rect.glb")
+    check(page.evaluate("document.getElementById('list').children.length") == 1, "a file that is dropped has its light")
+    for path, word in bad_files(work):
+        text = message_after(page, path, word)
+        check(os.path.basename(path) in text and text.endswith(".") and "undefined" not in text, "the message: " + text)
+        check(page.evaluate("viewer.pictures.lights.length") == 1, "the scene stays after " + path)
+    drop(page, work + "/dark.glb")
+    ready(page, "dark.glb")
+    check("studio rig" in page.evaluate("document.getElementById('notes').textContent"), "a scene without lights has a rig")
+    drop(page, work + "/rect.glb")
+    ready(page, "rect.glb")
+    check(page.evaluate("document.getElementById('message').hidden"), "a file that is read takes the message away")
+
+
+def step_keys(page):
+    page.evaluate("document.activeElement.blur()")
+    before = light(page)
+    if tab_to(page, "e.closest('#list')", "the list of lights"):
+        page.key("Enter")
+    if tab_to(page, "e.id === 'place-x'", "the place of a light"):
+        page.type("0.25")
+        page.key("Tab")
+        page.type("0.35") # where the camera sees it
+        page.key("Tab")
+    check(abs(light(page)["place"][0] - 0.25) + abs(light(page)["place"][1] - 0.35) < 1e-6, "a number that is typed moves a light: %s" % light(page))
+    if tab_to(page, "e.id === 'size-width'", "the width of a light"):
+        page.key("ArrowUp")
+    check(abs(light(page)["width"] - before["width"] - 0.01) < 1e-6, "an arrow key widens a light: %s" % light(page))
+    if tab_to(page, "e.id === 'luminance'", "the luminance"):
+        page.type("-5")
+        check(light(page)["nits"] == 3, "a luminance below 0 is not taken: %s" % light(page))
+        page.key("Tab")
+        check(page.evaluate("document.getElementById('luminance').value") == "3", "and is written over")
+    if tab_to(page, "e.id === 'two-sided'", "both sides"):
+        page.key(" ")
+    check(light(page)["two"] is True, "the space bar makes a light of two sides")
+    page.key(" ")
+    page.evaluate("document.activeElement.blur()")
+    place = page.evaluate("viewer.camera.position.toArray()")
+    if tab_to(page, "e.id === 'canvas'", "the picture"):
+        page.key("ArrowLeft")
+    moved = page.evaluate("viewer.camera.position.toArray()")
+    check(moved != place and abs(sum(a * a for a in moved) - sum(a * a for a in place)) < 4, "an arrow key turns the camera")
+
+
+def step_drag(page):
+    page.evaluate("viewer.canvas.scrollIntoView()")
+    page.until("viewer.isStill", "a picture", 120)
+    # Along the x axis of the handles, until the page says that it is held.
+    at = json.loads(page.evaluate("""JSON.stringify((() => {
+      const box = viewer.canvas.getBoundingClientRect(), {position} = viewer.pictures.lights[0];
+      return [0, 0.2].map(x => position.clone().setX(position.x + x).project(viewer.camera))
+          .map(p => [box.x + (p.x + 1) / 2 * box.width, box.y + (1 - p.y) / 2 * box.height]);
+    })())"""))
+    along = [b - a for a, b in zip(*at)]
+    length = sum(a * a for a in along) ** 0.5
+    for far in range(12, 60, 3):
+        begin = [a + d / length * far for a, d in zip(at[0], along)]
+        page.pointer("mouseMoved", *begin, held=False)
+        if page.evaluate("viewer.gizmo.axis") == "X":
+            break
+    check(page.evaluate("viewer.gizmo.axis") == "X", "the pointer finds the handle of x, from %s along %s: %s" % (
+        at[0], along, page.evaluate("[document.elementFromPoint(%f, %f)?.id, viewer.selected?.type, viewer.gizmo.enabled, scrollY].join()" % tuple(begin))))
+    before = light(page)["place"]
+    page.drag(begin, [a + d / length * 60 for a, d in zip(begin, along)])
+    after = light(page)["place"]
+    check(after[0] - before[0] > 0.05 and abs(after[1] - before[1]) + abs(after[2] - before[2]) < 1e-6,
+          "a drag moves a light along x: from %s to %s" % (before, after))
+    check(abs(float(page.evaluate("document.getElementById('place-x').value")) - after[0]) < 1e-3, "and the field says so")
+    page.until("viewer.isStill", "a picture")
+
+
+def step_lights(page):
+    for kind in ("DiskLight", "PolygonLight", "SphereLight"):
+        page.evaluate("(document.getElementById('kind').value = '%s', document.getElementById('add').click())" % kind)
+        page.until("viewer.isStill", "a picture with a " + kind, 120)
+        check(page.evaluate("viewer.selected.type") == kind, "a new light is chosen: " + kind)
+        page.evaluate("document.getElementById('delete').click()")
+    check(page.evaluate("viewer.pictures.lights.length") == 1, "lights are deleted")
+    page.until("viewer.isStill", "a picture")
+
+
+def step_saved(page, openltc, work):
+    """What the page saves is what it shows, for itself and for openltc render."""
+    page.evaluate("(document.getElementById('tonemap').value = 'none', document.getElementById('tonemap').dispatchEvent(new Event('change')))")
+    width, height, before = picture(page)
+    path = os.path.join(work, "saved.glb")
+    saved_scene(page, path)
+    described = run(openltc, "inspect", path)
+    check(described.count("\nlight ") == 1 and "0.91 x 0.5 m" in described, "openltc inspect: " + described)
+    exposure = page.evaluate("viewer.pictures.exposure")
+    ev100 = page.evaluate("document.getElementById('exposure').value")
+    drop(page, path)
+    ready(page, "saved.glb")
+    page.evaluate("(document.getElementById('exposure').value = %s, document.getElementById('exposure').dispatchEvent(new Event('input')))" % json.dumps(ev100))
+    _, _, after = picture(page)
+    worst = max(abs(a - b) for a, b in zip(before, after))
+    check(len(before) == len(after) and worst <= 1, "the scene that was saved is the one that is shown: off by %d of 255" % worst)
+    exr = path + ".exr"
+    run(openltc, "render", path, "--lobes", "polynomial", "--specular", "lobe", "--samples", "1", "--filter", "none",
+        "--shadow-samples", "0", "--size", "%dx%d" % (width, height), "-o", exr)
+    whole, rest, edges = 0.0, 0.0, 0
+    rows = read_exr(exr)
+    for y, row in enumerate(rows):
+        for x in range(width):
+            off = [abs(shown(row[3 * x + c], exposure) - before[3 * (y * width + x) + c]) for c in range(3)]
+            whole += sum(off)
+            if max(off) > k_edge:
+                edges += 1
+            else:
+                rest += sum(off)
+    pixels = width * height
+    mean = rest / (3 * (pixels - edges))
+    print("viewer against openltc render: off by %.3f of 255 in the mean, by %.3f without %d pixels of %d at edges"
+          % (whole / (3 * pixels), mean, edges, pixels), flush=True)
+    check(mean <= k_mean and edges <= k_edges * pixels, "the picture is that of openltc render: %.3f, %d edges" % (mean, edges))
+    check(sum(before) / len(before) > 8, "the picture is not dark")
+    page.evaluate("(document.getElementById('tonemap').value = 'neutral', document.getElementById('tonemap').dispatchEvent(new Event('change')))")
+
+
+def step_views(page):
+    """The reference converges to what LTC shows, and three.js's own light does not."""
+    page.resize(330, 330)
+    means = {}
+    for view in ("error", "error_theirs"):
+        page.evaluate("document.querySelector('#views [value=%s]').click()" % view)
+        for frames in (2, 32):
+            page.until("viewer.pictures.view === '%s' && viewer.pictures.frame >= %d" % (view, frames), "%d rays" % frames, 600)
+            means[view, frames] = page.evaluate("viewer.pictures.measure()")
+    print("error of LTC against the reference in the page: %.2f of 255 with 2 rays, %.2f with 32; of three.js %.2f"
+          % (means["error", 2], means["error", 32], means["error_theirs", 32]), flush=True)
+    check(means["error", 32] < 0.4 * means["error", 2] and means["error", 32] < 0.7 * means["error_theirs", 32],
+          "the reference converges to the picture by LTC: %s" % means)
+    check(not page.evaluate("document.getElementById('legend').hidden"), "the scale is shown")
+    page.evaluate("document.querySelector('#views [value=ltc]').click()")
+    page.evaluate("document.getElementById('shadows').click()")
+    page.until("viewer.pictures.view === 'ltc' && viewer.pictures.frame >= 8", "shadows", 200)
+    page.evaluate("document.getElementById('shadows').click()")
+    page.until("viewer.pictures.isDone && viewer.isStill", "the picture without shadows")
+    page.resize(*k_size)
+    page.until("viewer.isStill", "a picture")
+
+
+def step_lost(page):
+    page.evaluate("(window.lost = viewer.renderer.getContext().getExtension('WEBGL_lose_context')).loseContext()")
+    page.until("document.getElementById('message').textContent.includes('lost')", "the message of a lost device")
+    page.evaluate("document.getElementById('add').click()") # the page is alive
+    check(page.evaluate("viewer.pictures.lights.length") == 2, "lights can be set meanwhile")
+    page.evaluate("document.getElementById('delete').click()")
+    page.evaluate("window.lost.restoreContext()")
+    page.until("document.getElementById('message').hidden", "the device")
+    page.until("viewer.isStill", "a picture")
+    _, _, data = picture(page)
+    check(sum(data) / len(data) > 8, "the picture comes back")
+
+
+def step_memory(page, work):
+    with open(work + "/rect.glb", "rb") as stream:
+        page.evaluate("window.glb = Uint8Array.from(atob('%s'), c => c.charCodeAt(0))" % base64.b64encode(stream.read()).decode())
+    held = []
+    for k in range(k_loads + 5):
+        page.evaluate("""(() => {
+          const transfer = new DataTransfer();
+          transfer.items.add(new File([window.glb], 'load_%d.glb'));
+          document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: transfer, bubbles: true, cancelable: true}));
+        })()""" % k)
+        page.until("document.getElementById('list').dataset.scene === 'load_%d.glb'" % k, "load %d" % k)
+        if k in (4, k_loads + 4):
+            page.until("viewer.isStill", "a picture")
+            page.call("HeapProfiler.collectGarbage")
+            held.append(page.evaluate("({...viewer.renderer.info.memory, programs: viewer.renderer.info.programs.length})"))
+            held[-1]["bytes"] = page.call("Runtime.getHeapUsage")["usedSize"]
+    first, last = held
+    print("after %d loads more: %s; before: %s" % (k_loads, last, first))
+    check(all(last[name] == first[name] for name in first if name != "bytes") and last["bytes"] < 1.1 * first["bytes"] + 1e6,
+          "memory does not grow")
+
+
+def step_view(page, openltc, app, work):
+    """`openltc view` shows a file, and shows it anew when it has changed."""
+    path = work + "/watched.glb"
+    shutil.copyfile(work + "/rect.glb", path)
+    with subprocess.Popen([openltc, "view", path, "--no-open", "--page", app], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          text=True) as tool:
+        try:
+            page.open(tool.stdout.readline().strip())
+            page.until("window.viewer", "the page")
+            ready(page, "watched.glb")
+            place = page.evaluate("viewer.camera.position.toArray()")
+            shutil.copyfile(work + "/dark.glb", path)
+            page.until("viewer.pictures.lights.length === 3", "the changed file", 120)
+            check(page.evaluate("viewer.camera.position.toArray()") == place, "the camera stays where it was")
+        finally:
+            tool.terminate()
+    page.until("document.getElementById('message').textContent.includes('does not answer')", "that the tool has ended")
+
+
+def step_without(page, server):
+    """A browser without WebGL 2."""
+    script = page.call("Page.addScriptToEvaluateOnNewDocument", source="HTMLCanvasElement.prototype.getContext = () => null")
+    page.open(server.address + "viewer.html")
+    page.until("document.getElementById('message')?.textContent.includes('WebGL 2')", "the message without WebGL 2")
+    page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
+
+
+def size_of(app):
+    """Bytes by gzip: of what the page brings, and of what only some scenes need."""
+    page, more = 0, 0
+    for folder, _, names in os.walk(app):
+        for name in names:
+            path = os.path.join(folder, name)
+            inside = os.path.relpath(path, app)
+            if not (inside.startswith(("viewer", "decoders")) or inside == "style.css") or name.endswith(".txt"):
+                continue
+            with open(path, "rb") as stream:
+                size = len(gzip.compress(stream.read(), 9))
+            if inside.startswith("decoders"):
+                more += size
+            else:
+                page += size
+    return page, more
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("openltc", "app", "work"):
+        parser.add_argument("--" + name, required=True)
+    arguments = parser.parse_args()
+    program = browser.find()
+    if not program:
+        skip("chromium not found (package chromium)")
+    if not os.path.exists(os.path.join(arguments.app, "viewer.html")):
+        skip("%s/viewer.html is not there; make web makes it" % arguments.app)
+    work = os.path.abspath(arguments.work)
+    os.makedirs(work, exist_ok=True)
+    write_scene("rect", k_scenes["rect"], work + "/rect.glb", True)
+    write_scene("rect", [], work + "/dark.glb", True)
+    page_bytes, more = size_of(arguments.app)
+    print("the page: %.0f KiB by gzip; decoders that some scenes need: %.0f KiB" % (page_bytes / 1024, more / 1024))
+    check(page_bytes < 450 * 1024, "the page is small")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1)) # not without the browser
+    server, page = Server(arguments.app), Page(program, k_size)
+    try:
+        page.open(server.address + "viewer.html")
+        page.until("window.viewer && viewer.isStill", "the demo", 240)
+        print("first picture of the demo after %s ms, at %d × %d" % (
+            page.evaluate("document.documentElement.dataset.firstPicture"), *k_size))
+        check(page.evaluate("viewer.pictures.lights.length") == 4, "the demo has its lights")
+        step_files(page, work)
+        step_keys(page)
+        step_drag(page)
+        step_lights(page)
+        step_saved(page, arguments.openltc, work)
+        step_views(page)
+        step_lost(page)
+        step_memory(page, work)
+        check(not page.errors(), "the console has no errors: %s" % page.errors())
+        step_view(page, arguments.openltc, os.path.abspath(arguments.app), work)
+        step_without(page, server)
+    except (TimeoutError, RuntimeError) as error:
+        check(False, "%s; message: %s" % (error, page.evaluate("document.getElementById('message')?.textContent")))
+    finally:
+        page.close()
+        server.close()
+    print("%d failures" % len(k_failures))
+    sys.exit(1 if k_failures else 0)
+
+
+if __name__ == "__main__":
+    main()
