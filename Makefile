@@ -83,6 +83,7 @@ bench: build-all ## Run the benchmarks
 
 bench-python: build-all ## Measure the Python module beside the tool and the C++ batch API
 	@PYTHONPATH=build/release/python build/release/python-venv/bin/python -B bench/python/bench.py --bin build/release/bin
+	@PYTHONPATH=build/release/python build/release/python-venv/bin/python -B bench/python/cluster.py
 
 hard: build ## Measure the closed form on the scenes where it is worst
 	@cmake --build --preset release --parallel $(JOBS) --target bench_hard

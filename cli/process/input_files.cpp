@@ -16,6 +16,10 @@ std::set<FilePlace>& inputs() {
   static std::set<FilePlace> places;
   return places;
 }
+std::set<std::string>& paths() {
+  static std::set<std::string> all;
+  return all;
+}
 
 } // namespace
 
@@ -23,11 +27,17 @@ void remember_input(const std::string& path) {
   FilePlace place = place_of(path);
   const std::lock_guard lock(g_mutex);
   inputs().insert(std::move(place));
+  paths().insert(path);
 }
 
 bool is_input(const FilePlace& place) {
   const std::lock_guard lock(g_mutex);
   return inputs().count(place) > 0;
+}
+
+std::vector<std::string> input_paths() {
+  const std::lock_guard lock(g_mutex);
+  return {paths().begin(), paths().end()};
 }
 
 } // namespace openltc::cli

@@ -8,6 +8,7 @@
 #include "openltc/base/file_place.h"
 
 #include <string>
+#include <vector>
 
 namespace openltc::cli {
 
@@ -16,5 +17,8 @@ void remember_input(const std::string& path);
 
 /// Whether a file at this place was read since watch_files() was called.
 bool is_input(const FilePlace& place);
+
+/// The paths that were remembered, as they were spelled, in order.
+std::vector<std::string> input_paths();
 
 } // namespace openltc::cli

@@ -9,12 +9,12 @@
 #include "openltc/base/parallel.h"
 #include "openltc/base/progress.h"
 #include "openltc/base/sampling.h"
-#include "openltc/image/file.h"
 #include "openltc/render/camera_rays.h"
 #include "openltc/render/lights/light_chooser.h"
 #include "openltc/render/lights/light_level.h"
 #include "openltc/render/lights/light_set.h"
 #include "openltc/render/lights/light_tree.h"
+#include "openltc/render/options_check.h"
 #include "openltc/render/point_buffer.h"
 #include "openltc/render/ray_scene.h"
 #include "openltc/render/shadow_ratio.h"
@@ -33,10 +33,9 @@ namespace openltc::render {
 
 namespace {
 
-constexpr int k_tile = 16;       // pixels; a row of a tile is one ray packet
-constexpr int k_max_layers = 32; // blended surfaces along one camera ray; the last is opaque
+constexpr int k_tile = k_tile_side; // a row of a tile is one ray packet
+constexpr int k_max_layers = 32;    // blended surfaces along one camera ray; the last is opaque
 constexpr int k_max_clear_layers = 4096; // culled or fully clear ones, which do not count
-constexpr int k_max_size = 32768;        // pixels on a side
 constexpr int k_tile_pixels = k_tile * k_tile;
 constexpr std::size_t k_batch = k_most_points;
 constexpr std::uint32_t k_purpose_pixel = 0;
@@ -65,6 +64,7 @@ struct Job {
   KernelContext context;
   const LightTree* tree; ///< null: all lights shade all points
   LightErrorScale error_scale;
+  PixelWindow window;
   ShadowPlan shadows; ///< of the LTC integrator
   bool diffuse_error; ///< whether neighbours share a sequence, see z_order
 };
@@ -124,18 +124,19 @@ public:
     for (int row = 0; row < height_; ++row)
       for (int column = 0; column < width_; ++column) {
         const std::size_t i = std::size_t(row * k_tile + column);
+        const int x = x0_ - job_.window.x0 + column, y = y0_ - job_.window.y0 + row;
         const double n = samples;
         const Vec3d mean = sum[i] / n;
         const Vec3d areas = shadows_ ? shadows_->light(i) / n : Vec3d(0.0);
         const auto error = [&](double m, double s2) {
           return n > 1 ? float(std::sqrt(std::max(s2 / n - m * m, 0.0) / (n - 1))) : 0.0f;
         };
-        float* out = picture.radiance.pixel(x0_ + column, y0_ + row);
+        float* out = picture.radiance.pixel(x, y);
         out[0] = float(mean.x + areas.x);
         out[1] = float(mean.y + areas.y);
         out[2] = float(mean.z + areas.z);
         if (picture.standard_error.data.empty()) continue;
-        float* e = picture.standard_error.pixel(x0_ + column, y0_ + row);
+        float* e = picture.standard_error.pixel(x, y);
         e[0] = error(mean.x, sum2[i].x);
         e[1] = error(mean.y, sum2[i].y);
         e[2] = error(mean.z, sum2[i].z);
@@ -265,22 +266,6 @@ private:
   double error_nits_ = 0;
 };
 
-Status check(const RenderOptions& o) {
-  if (o.width < 1 || o.height < 1 || o.width > k_max_size || o.height > k_max_size)
-    return Error{fmt::format("picture size {}x{}: each side must be 1 to {} pixels", o.width,
-                             o.height, k_max_size)};
-  if (std::size_t(o.width) * std::size_t(o.height) > image::k_max_pixels)
-    return Error{fmt::format("picture size {}x{}: more than {} million pixels in all", o.width,
-                             o.height, image::k_max_pixels / 1000000)};
-  if (o.samples < 1 || o.samples > (1 << 20))
-    return Error{fmt::format("samples per pixel: {} is not in 1 to {}", o.samples, 1 << 20)};
-  if (o.shadow_samples < 0 || o.shadow_samples > 4096)
-    return Error{fmt::format("shadow samples: {} is not in 0 to 4096", o.shadow_samples)};
-  if (!(o.light_error >= 0 && o.light_error <= 1))
-    return Error{fmt::format("light error: {} is not in 0 to 1", o.light_error)};
-  return Success{};
-}
-
 } // namespace
 
 LobeSource builtin_lobes_for(const light::Lights& lights) {
@@ -291,7 +276,7 @@ LobeSource builtin_lobes_for(const light::Lights& lights) {
 
 Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
                        const LobeSource& lobes, const RenderOptions& options) {
-  if (Status status = check(options); !status.ok()) return status.error();
+  if (Status status = check_options(options); !status.ok()) return status.error();
   if (options.specular_form == SpecularForm::ratio && !lobes.brdf.empty() &&
       lobes.brdf != k_ratio_brdf)
     return Error{fmt::format("these lobes were fitted to {}, and the ratio of the BRDF to its lobe "
@@ -313,7 +298,8 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   const LightSet lights = pack_lights(scene.lights);
   const CameraRays camera_rays(camera, options.width, options.height);
 
-  Job job{scene, options, camera_rays, textures, **rays, kernel, {}, nullptr, {}, {}, false};
+  Job job{scene, options, camera_rays, textures,           **rays, kernel,
+          {},    nullptr, {},          window_of(options), {},     false};
   KernelContext& context = job.context;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
@@ -367,21 +353,23 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   }
 
   Picture picture;
-  picture.radiance = image::Image(options.width, options.height, 3);
+  const PixelWindow& window = job.window;
+  picture.radiance = image::Image(window.x1 - window.x0, window.y1 - window.y0, 3);
   if (reference && options.samples > 1)
-    picture.standard_error = image::Image(options.width, options.height, 3);
+    picture.standard_error = image::Image(picture.radiance.width, picture.radiance.height, 3);
   picture.kernel = kernel.name;
   picture.warnings = lights.warnings;
   picture.build_seconds = seconds_since(build_start);
 
   ShadingWork work;
   const auto render_start = std::chrono::steady_clock::now();
-  const int columns = (options.width + k_tile - 1) / k_tile;
-  const int rows = (options.height + k_tile - 1) / k_tile;
+  const int columns = (picture.radiance.width + k_tile - 1) / k_tile;
+  const int rows = (picture.radiance.height + k_tile - 1) / k_tile;
   ProgressCount done(std::int64_t(columns) * rows, options.progress);
   parallel_for(std::int64_t(columns) * rows, options.threads, [&](std::int64_t i) {
     if (done.is_cancelled()) return;
-    Tile(job, int(i % columns) * k_tile, int(i / columns) * k_tile).render(picture, work);
+    Tile(job, window.x0 + int(i % columns) * k_tile, window.y0 + int(i / columns) * k_tile)
+        .render(picture, work);
     done.add(1);
   });
   if (done.is_cancelled()) return cancelled();

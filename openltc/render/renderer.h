@@ -25,6 +25,15 @@ enum class PixelFilter {
   none,            ///< every camera ray through the middle of its pixel, to compare light alone
 };
 
+/// Pixels of a side of the tiles that a picture is made of.
+inline constexpr int k_tile_side = 16;
+
+/// Pixels from (x0, y0) to before (x1, y1), (0, 0) at the upper left. Each number is a multiple of
+/// k_tile_side, or x1 the picture's width, y1 its height.
+struct PixelWindow {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
 struct RenderOptions {
   int width = 1280; ///< pixels
   int height = 720;
@@ -48,6 +57,9 @@ struct RenderOptions {
   /// Of area lights, LTC; none: the ratio for lobes that were fitted to GGX and fewer area lights
   /// than k_many_lights, else the lobe alone.
   std::optional<SpecularForm> specular_form;
+  /// Renders these pixels alone: the same values that they have in the whole picture of width x
+  /// height, and a Picture of that size. None: all of them.
+  std::optional<PixelWindow> window;
   Vec3f background{0, 0, 0}; ///< nits, where a ray meets nothing
   std::uint32_t seed = 0;
   int threads = 0;             ///< 0 = all cores; the picture does not depend on it

@@ -44,7 +44,7 @@ _places = {
     "Spot": "lights",
     "Directional": "lights",
 }
-_modules = ("lights", "plot")
+_modules = ("cluster", "lights", "plot")
 
 _lower = ("Error", "Camera", "__version__")
 

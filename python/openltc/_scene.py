@@ -82,7 +82,8 @@ class Scene:
                samples: int | None = None, shadow_samples: int = 16, camera: Any = "",
                lights: str = "auto", lobes: str = "auto", specular: str = "auto",
                filter: str = "blackman-harris", light_error: float = 0.003, background_nits=None,
-               seed: int = 0, threads: int = 0, progress=False) -> Picture:
+               seed: int = 0, threads: int = 0, window: tuple[int, int, int, int] | None = None,
+               progress=False) -> Picture:
         """A picture of the scene, (height, width, 3) float32, linear Rec.709 in nits.
 
         integrator  ltc, the closed form; or reference, unbiased, with the layer `stderr`
@@ -95,6 +96,8 @@ class Scene:
         filter      blackman-harris or none
         light_error what the choice of lights may err by, of what points reflect
         background_nits  a number or (r, g, b) where a ray meets nothing
+        window      (x0, y0, x1, y1): these pixels of the picture alone, with the values that they have in
+                    it; multiples of 16, or the picture's edge
         progress    True, or a function of the share done
 
         The same numbers as `openltc render` with the same options. Other threads of Python go on
@@ -109,7 +112,8 @@ class Scene:
                        samples=samples if samples is not None else 256 if reference else 8,
                        shadow_samples=shadow_samples, camera=str(camera) if isinstance(camera, int) else camera,
                        lights=lights, lobes=lobes, specular=specular, filter=filter, light_error=light_error,
-                       background_nits=background_nits, seed=seed, threads=threads)
+                       background_nits=background_nits, seed=seed, threads=threads,
+                       window=window)
         with reporter(progress, "rendering") as report:
             made = self._lower.render([_of_scene(light) for light in self.lights], self.materials, options, report)
         return Picture(made.pop("radiance"), made)

@@ -3,6 +3,7 @@
 
 #include "python/src/scene.h"
 
+#include "openltc/base/file_observer.h"
 #include "openltc/render/renderer.h"
 #include "openltc/render/view/camera_choice.h"
 #include "openltc/render/view/studio_choice.h"
@@ -14,18 +15,63 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
+#include <mutex>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
+#include <set>
 
 namespace openltc::python {
 
 namespace nb = nanobind;
 
 namespace {
+
+/// Notes which files are read while a scene is loaded; what other threads read just then is among
+/// them. It observes as long as the process lives: files may be on their way at any time.
+class FilesRead : public FileObserver {
+public:
+  static FilesRead& of_process() {
+    static FilesRead& one = [&]() -> FilesRead& {
+      FilesRead& observer = *new FilesRead;
+      observe_files(&observer);
+      return observer;
+    }();
+    return one;
+  }
+  void reads(const std::string& path) override {
+    const std::lock_guard lock(mutex_);
+    if (noting_) paths_.insert(path);
+  }
+  /// The files that `work` reads. One such call at a time.
+  template <class Work> std::vector<std::string> during(const Work& work) {
+    const std::lock_guard alone(one_at_a_time_);
+    note(true);
+    try {
+      work();
+    } catch (...) {
+      note(false);
+      throw;
+    }
+    note(false);
+    return {paths_.begin(), paths_.end()};
+  }
+
+private:
+  void note(bool noting) {
+    const std::lock_guard lock(mutex_);
+    noting_ = noting;
+    if (noting) paths_.clear();
+  }
+  std::mutex one_at_a_time_, mutex_;
+  std::set<std::string> paths_;
+  bool noting_ = false;
+};
 
 std::unique_ptr<LoadedScene> load(const std::string& path, std::optional<double> time_seconds,
                                   const std::string& animation, bool recognise_shapes,
@@ -37,7 +83,10 @@ std::unique_ptr<LoadedScene> load(const std::string& path, std::optional<double>
   reading.pose = {time_seconds, animation};
   auto loaded = std::make_unique<LoadedScene>();
   Job job{nb::none()};
-  job.run([&] { loaded->scene = take(scene::load_gltf(path, emissive, reading)); });
+  job.run([&] {
+    loaded->files = FilesRead::of_process().during(
+        [&] { loaded->scene = take(scene::load_gltf(path, emissive, reading)); });
+  });
   return loaded;
 }
 
@@ -139,6 +188,10 @@ Request request_of(nb::dict given) {
     o.background = nb::cast<Vec3f>(given["background_nits"]);
     r.background_given = true;
   }
+  if (!given["window"].is_none()) {
+    const auto w = nb::cast<std::array<int, 4>>(given["window"]);
+    o.window = render::PixelWindow{w[0], w[1], w[2], w[3]};
+  }
   if (nb::isinstance<scene::Camera>(given["camera"]))
     r.camera = nb::cast<scene::Camera>(given["camera"]);
   else
@@ -223,6 +276,7 @@ void bind_scene(nb::module_& m) {
       .def("cameras", [](const LoadedScene& l) { return list_of(l.scene.cameras); })
       .def("materials", [](const LoadedScene& l) { return list_of(l.scene.materials); })
       .def_prop_ro("warnings", [](const LoadedScene& l) { return l.scene.warnings; })
+      .def_ro("files", &LoadedScene::files)
       .def_prop_ro("bounds",
                    [](const LoadedScene& l) {
                      return nb::make_tuple(l.scene.bounds.lower, l.scene.bounds.upper);

@@ -11,12 +11,15 @@
 #include <mutex>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <string>
+#include <vector>
 
 namespace openltc::python {
 
 /// A scene of Python's, which is rendered by one thread at a time.
 struct LoadedScene {
   scene::Scene scene;
+  std::vector<std::string> files; ///< that were read or are named in it
   std::mutex in_use;
 };
 

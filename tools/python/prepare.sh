@@ -11,7 +11,7 @@ set -uo pipefail
 cd "$(dirname "$0")/../.."
 folder=$1 python=${2:-/usr/bin/python3}
 mkdir -p "$(dirname "$folder")"
-wanted=python/requirements/test.txt
+wanted=python/requirements/test.txt cluster=python/requirements/cluster.txt
 
 off() {
   printf '%s\n' "$1" > "$folder.missing"
@@ -19,7 +19,7 @@ off() {
   exit 0
 }
 
-if ! cmp -s "$wanted" "$folder/installed.txt"; then
+if ! cat "$wanted" "$cluster" 2> /dev/null | cmp -s - "$folder/installed.txt"; then
   "$python" -c 'import sys; sys.exit(sys.version_info < (3, 10))' 2> /dev/null || off "Python 3.10 or later"
   "$python" -c 'import os, sysconfig, sys; sys.exit(not os.path.exists(sysconfig.get_path("include") + "/Python.h"))' ||
     off "the headers of Python (Debian: python3-dev)"
@@ -27,7 +27,9 @@ if ! cmp -s "$wanted" "$folder/installed.txt"; then
   "$python" -m venv "$folder" > "$folder.log" 2>&1 || off "Python's module venv (Debian: python3-venv)"
   "$folder/bin/pip" install --quiet --disable-pip-version-check --require-hashes -r "$wanted" >> "$folder.log" 2>&1 ||
     off "nanobind and NumPy, which pip could not fetch ($folder.log)"
-  cp "$wanted" "$folder/installed.txt"
+  # Without it the tests of openltc.cluster are skipped.
+  "$folder/bin/pip" install --quiet --disable-pip-version-check --require-hashes -r "$cluster" >> "$folder.log" 2>&1 || true
+  cat "$wanted" "$cluster" > "$folder/installed.txt"
 fi
 rm -f "$folder.missing"
 echo "-DOPENLTC_PYTHON_MODULE=ON -DPython_EXECUTABLE=$PWD/$folder/bin/python"

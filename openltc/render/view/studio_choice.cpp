@@ -3,6 +3,7 @@
 
 #include "openltc/render/view/studio_choice.h"
 
+#include "openltc/light/light_list.h"
 #include "openltc/render/view/studio_room.h"
 #include "openltc/scene/view/studio.h"
 
@@ -66,14 +67,20 @@ Result<LightsChosen> choose_lights(scene::Scene& scene, LightsFrom from,
       studio_for(scene, camera, level > 0 && std::isfinite(level) ? level : 1.0);
   if (!studio) return studio.error();
   chosen.rig_is_in_room = studio->polygons.size() == 1;
-  auto& polygons = scene.lights.polygons;
-  polygons.insert(polygons.end(), studio->polygons.begin(), studio->polygons.end());
+  chosen.rig = *studio;
+  chosen.leaves_out_scene = from == LightsFrom::studio;
+  use_lights(scene, chosen);
   if (own_level) {
     chosen.background_nits = k_studio_background_nits;
     chosen.usual_exposure = k_studio_exposure;
   }
   chosen.light_nits = own_level ? k_studio_light_nits : scene::least_nits_of_lights(scene.lights);
   return chosen;
+}
+
+void use_lights(scene::Scene& scene, const LightsChosen& chosen) {
+  if (chosen.leaves_out_scene) scene.lights = {};
+  light::append_lights(chosen.rig, scene.lights);
 }
 
 } // namespace openltc::render

@@ -39,10 +39,15 @@ struct LightsChosen {
   /// Radiance in nits from which a pixel shows a light, not what it lights;
   /// image::DisplayOptions::light_nits.
   float light_nits = 0;
+  light::Lights rig;             ///< of the studio, if there is one
+  bool leaves_out_scene = false; ///< whether it takes the place of the scene's lights
 };
 
 /// Leaves in `scene` the lights that are wanted. Fails as studio_for.
 Result<LightsChosen> choose_lights(scene::Scene& scene, LightsFrom from,
                                    const scene::Camera& camera);
+
+/// The lights that were chosen for another pose of this scene, whose origin is the same.
+void use_lights(scene::Scene& scene, const LightsChosen& chosen);
 
 } // namespace openltc::render

@@ -3,7 +3,7 @@
 //
 // In the order in which --help lists them.
 
-#include "cli/render_options.h"
+#include "cli/render/render_options.h"
 
 #include "cli/options/choice.h"
 #include "cli/options/number.h"
@@ -95,6 +95,34 @@ void add_lights(CLI::App& command, RenderArguments& a) {
   add_pose_options(command, a.reading.pose);
 }
 
+void add_frames(CLI::App& command, RenderArguments& a) {
+  CLI::Option* frames =
+      command
+          .add_option(
+              "--frames", a.frames,
+              "Frames of the file's animation, such as 1-240, 1-240x10 or 1-24,48. Frame N shows "
+              "it "
+              "at N / fps seconds; #### in -o becomes its number. Frames that are there, made of "
+              "the same files by the same options and version, are not made again")
+          ->excludes("--time")
+          ->type_name("FRAMES");
+  command.add_option("--fps", a.frames_per_second, "With --frames: frames per second")
+      ->check(number(1e-3, 1e6))
+      ->needs(frames)
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_flag("--list-missing", a.list_missing,
+                "With --frames: print those that are still to be made, and make none")
+      ->needs(frames);
+  command
+      .add_option("--scheduler", a.scheduler,
+                  "With --frames: have the workers of this Dask scheduler make them, which see the "
+                  "same folders; by the command of the Python package, openltc[cluster]")
+      ->needs(frames)
+      ->type_name("ADDRESS");
+}
+
 void add_view(CLI::App& command, RenderArguments& a) {
   command
       .add_option(
@@ -182,10 +210,12 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       "  openltc render room.glb -o room.exr -o room.png    radiance and a picture to look at\n"
       "  openltc render room.glb --shadow-samples 0 --samples 64 -o clean.png\n"
       "  openltc render room.glb --integrator reference --samples 1024 -o truth.exr\n"
-      "  openltc compare room.exr truth.exr");
+      "  openltc compare room.exr truth.exr\n"
+      "  openltc render walk.glb --frames 1-240 --fps 24 -o walk.####.exr");
   add_files(command, arguments);
   add_sampling(command, arguments);
   add_lights(command, arguments);
+  add_frames(command, arguments);
   add_view(command, arguments);
   add_display(command, arguments);
   add_lobes(command, arguments);

@@ -44,6 +44,12 @@ struct RenderArguments {
   std::string kernel = "auto";
   scene::EmissiveOptions emissive;
   scene::ReadOptions reading;
+  std::string frames; ///< of the animation; empty: one picture
+  double frames_per_second = 24;
+  bool list_missing = false;
+  std::string scheduler;
+  /// Every option that was given and what with, but for those that leave a frame as it is.
+  std::string picture_options;
   bool half = false;
   bool quiet = false;
   bool json = false;
