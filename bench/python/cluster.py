@@ -38,6 +38,16 @@ def seconds(call):
     return time.perf_counter() - begin
 
 
+def show(took, frames):
+    middle = {key: statistics.median(values) for key, values in took.items()}
+    print(f"{frames} frames of 320 x 180, one thread each: "
+          + ", ".join(f"{key} {value:.2f} s" for key, value in middle.items()))
+    for one, two in (("1 worker", "2 workers"), ("1 process", "2 processes")):
+        ratios = [a / b for a, b in zip(took[one], took[two])]
+        print(f"{two} against {one}: {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})")
+    print(f"a worker's frame beside the bare tool's: {(middle['1 worker'] - middle['1 process']) / frames:+.3f} s")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--rounds", type=int, default=3)
@@ -74,13 +84,8 @@ def main():
             took[f"{n} worker" + "s" * (n > 1)].append(seconds(lambda: openltc.cluster.render_sequence(
                 scene, range(arguments.frames), place(), client=client, **k_options)))
             took[f"{n} process" + "es" * (n > 1)].append(seconds(lambda: bare(n)))
-    middle = {key: statistics.median(values) for key, values in took.items()}
-    print(f"{arguments.frames} frames of 320 x 180, one thread each: "
-          + ", ".join(f"{key} {value:.2f} s" for key, value in middle.items()))
-    for one, two in (("1 worker", "2 workers"), ("1 process", "2 processes")):
-        ratios = [a / b for a, b in zip(took[one], took[two])]
-        print(f"{two} against {one}: {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})")
-    print(f"a worker's frame beside the bare tool's: {(middle['1 worker'] - middle['1 process']) / arguments.frames:+.3f} s")
+    if arguments.rounds:
+        show(took, arguments.frames)
     # The scheduler and the caller are this process: its own time does not depend on what else runs.
     for n, client in clients.items():
         tasks = {k: k for k in range(arguments.tasks)}
