@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/output_place.h"
 #include "cli/picture_output.h"
+#include "cli/process/fingerprint.h"
 #include "cli/process/input_files.h"
 #include "cli/process/message.h"
 #include "cli/process/progress_bar.h"
@@ -17,7 +18,6 @@
 #include "cli/render/frame_range.h"
 #include "cli/render/frame_record.h"
 #include "cli/render/render_job.h"
-#include "openltc/base/fingerprint.h"
 #include "openltc/base/quote.h"
 
 #include <fmt/format.h>

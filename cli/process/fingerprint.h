@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace openltc {
+namespace openltc::cli {
 
 /// FNV-1a (Fowler, Noll, Vo), 64 bits: one changed byte always changes it, other changes leave it
 /// the same once in 2^64 times. It holds against accidents, not against who wants two files to
@@ -62,4 +62,4 @@ private:
   std::uint64_t state_ = 14695981039346656037u;
 };
 
-} // namespace openltc
+} // namespace openltc::cli

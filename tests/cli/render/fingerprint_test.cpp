@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The OpenLTC authors
 // SPDX-License-Identifier: MIT
 
-#include "openltc/base/fingerprint.h"
+#include "cli/process/fingerprint.h"
 
 #include <doctest/doctest.h>
 
-using namespace openltc;
+using namespace openltc::cli;
 
 TEST_CASE("fingerprints_are_those_of_the_fnv_test_vectors") {
   // Fowler, Noll, Vo, Eastlake, "The FNV Non-Cryptographic Hash Algorithm", appendix C.
