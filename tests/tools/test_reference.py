@@ -47,7 +47,8 @@ def insert(root, path, text, before):
 def copy_with_new_names(root):
     """The headers and the page in another place, with names that have no comment."""
     for path in ("docs/api.md", *k_umbrellas, "openltc/shade/edge.glsl",
-                 "openltc/shade/by_lobe/triangle_slices.glsl", "openltc/shade/one_lane/outline.glsl", "openltc/target/vec.h",
+                 "openltc/shade/by_lobe/triangle_slices.glsl", "openltc/shade/exact/cone.glsl",
+                 "openltc/shade/one_lane/outline.glsl", "openltc/target/vec.h",
                  "openltc/target/resources.h"):
         os.makedirs(os.path.dirname(os.path.join(root, path)), exist_ok=True)
         shutil.copy(os.path.join(k_root, path), os.path.join(root, path))

@@ -52,7 +52,7 @@ def raw(port, text):
             connection.shutdown(socket.SHUT_WR)
             while part := connection.recv(4096):
                 data += part
-        except ConnectionError:
+        except OSError:
             pass # it was hung up on
     return data
 
