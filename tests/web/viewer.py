@@ -296,7 +296,7 @@ def step_view(page, openltc, app, work):
                           text=True) as tool:
         try:
             page.open(tool.stdout.readline().strip())
-            page.until("window.viewer", "the page")
+            page.until("!!window.viewer", "the page")
             ready(page, "watched.glb")
             place = page.evaluate("viewer.camera.position.toArray()")
             shutil.copyfile(work + "/dark.glb", path)
