@@ -1119,19 +1119,26 @@ static inline float3 ltc_both_parts(ltc_ShadedLight shaded) {
   return shaded.diffuse + shaded.specular;
 }
 
+// Light of radiance 1 whose specular part has this weight of F90 over F0, and the share `filled` of n1; where the
+// integral is that of GGX itself, its own.
+static inline ltc_ShadedLight ltc_shade_filled(ltc_Surface s, ltc_LightIntegral integral,
+                                               float weight, float filled) {
+  ltc_ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
+  return shaded;
+}
+
 // Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
 static inline ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
   float share = ltc_filled_share(s, integral);
-  ltc_ShadedLight shaded;
-  shaded.diffuse = s.diffuse * integral.diffuse;
   float filled = share;
   if (s.corrected) {
     float w = ltc_ratio_weight(integral, share);
     filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
   }
-  float weight = ltc_part_weight(s, integral.specular_direction, share);
-  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
-  return shaded;
+  return ltc_shade_filled(s, integral, ltc_part_weight(s, integral.specular_direction, share),
+                          filled);
 }
 
 // ---- cone ---------------------------------------------------------------------------------------
@@ -2836,8 +2843,8 @@ static inline float ltc_tube_thickness(ltc_Tube tube, ltc_TubeView view, ltc_Lob
   return tube.radius * sqrt(ltc_lobe_stretch2(lobe) / max(dot(nearest, nearest), ltc_k_tiny));
 }
 
-// Whether a point that looks along the tube sees its closed end at `center`, shading space, `along` metres beyond
-// which it lies.
+// Whether a point that is not beside the tube is in front of its closed end at `center`, shading space: that lies
+// `along` metres ahead, on the way into the tube.
 static inline bool ltc_sees_end(ltc_Tube tube, float3 center, float along) {
   return along > 0.0 && ltc_has_caps(tube) &&
          (!ltc_has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
@@ -3084,13 +3091,8 @@ static inline ltc_ShadedLight ltc_shade_tube_integral(ltc_Surface s, ltc_Tube tu
   }
   float share = ltc_filled_share(s, integral);
   ltc_TubeRatio ratio = ltc_ratio_of_tube(s, tube, integral, share);
-  float weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + ratio.beyond +
-                 ltc_weight_of_rim(s, share);
-  float filled = min(share * ratio.scale, 1.0);
-  ltc_ShadedLight shaded;
-  shaded.diffuse = s.diffuse * integral.diffuse;
-  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
-  return shaded;
+  float weight = ltc_part_weight(s, integral.specular_direction, share) + ratio.beyond;
+  return ltc_shade_filled(s, integral, weight, min(share * ratio.scale, 1.0));
 }
 
 // Light that a surface reflects of a tube of radiance 1, without shadow.

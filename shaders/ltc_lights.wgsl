@@ -1113,19 +1113,26 @@ struct ltc_ShadedLight {
 // Their sum.
 fn ltc_both_parts(shaded: ltc_ShadedLight) -> vec3f { return shaded.diffuse + shaded.specular; }
 
+// Light of radiance 1 whose specular part has this weight of F90 over F0, and the share `filled` of n1; where the
+// integral is that of GGX itself, its own.
+fn ltc_shade_filled(s: ltc_Surface, integral: ltc_LightIntegral, weight: f32,
+                    filled: f32) -> ltc_ShadedLight {
+  var shaded: ltc_ShadedLight;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
+  return shaded;
+}
+
 // Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
 fn ltc_shade_integral(s: ltc_Surface, integral: ltc_LightIntegral) -> ltc_ShadedLight {
   let share = ltc_filled_share(s, integral);
-  var shaded: ltc_ShadedLight;
-  shaded.diffuse = s.diffuse * integral.diffuse;
   var filled = share;
   if (s.corrected) {
     let w = ltc_ratio_weight(integral, share);
     filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
   }
-  let weight = ltc_part_weight(s, integral.specular_direction, share);
-  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
-  return shaded;
+  return ltc_shade_filled(s, integral, ltc_part_weight(s, integral.specular_direction, share),
+                          filled);
 }
 
 // ---- cone ---------------------------------------------------------------------------------------
@@ -2821,8 +2828,8 @@ fn ltc_tube_thickness(tube: ltc_Tube, view: ltc_TubeView, lobe: ltc_Lobe) -> f32
   return tube.radius * sqrt(ltc_lobe_stretch2(lobe) / max(dot(nearest, nearest), ltc_k_tiny));
 }
 
-// Whether a point that looks along the tube sees its closed end at `center`, shading space, `along` metres beyond
-// which it lies.
+// Whether a point that is not beside the tube is in front of its closed end at `center`, shading space: that lies
+// `along` metres ahead, on the way into the tube.
 fn ltc_sees_end(tube: ltc_Tube, center: vec3f, along: f32) -> bool {
   return along > 0.0 && ltc_has_caps(tube) &&
          (!ltc_has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
@@ -3066,13 +3073,8 @@ fn ltc_shade_tube_integral(s: ltc_Surface, tube: ltc_Tube,
   }
   let share = ltc_filled_share(s, integral);
   let ratio = ltc_ratio_of_tube(s, tube, integral, share);
-  let weight = ltc_fresnel_weight(s.wo, integral.specular_direction) + ratio.beyond +
-               ltc_weight_of_rim(s, share);
-  let filled = min(share * ratio.scale, 1.0);
-  var shaded: ltc_ShadedLight;
-  shaded.diffuse = s.diffuse * integral.diffuse;
-  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
-  return shaded;
+  let weight = ltc_part_weight(s, integral.specular_direction, share) + ratio.beyond;
+  return ltc_shade_filled(s, integral, weight, min(share * ratio.scale, 1.0));
 }
 
 // Light that a surface reflects of a tube of radiance 1, without shadow.

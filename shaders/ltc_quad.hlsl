@@ -868,19 +868,26 @@ struct ltc_ShadedLight {
 // Their sum.
 float3 ltc_both_parts(ltc_ShadedLight shaded) { return shaded.diffuse + shaded.specular; }
 
+// Light of radiance 1 whose specular part has this weight of F90 over F0, and the share `filled` of n1; where the
+// integral is that of GGX itself, its own.
+ltc_ShadedLight ltc_shade_filled(ltc_Surface s, ltc_LightIntegral integral, float weight,
+                                 float filled) {
+  ltc_ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
+  return shaded;
+}
+
 // Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
 ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
   float share = ltc_filled_share(s, integral);
-  ltc_ShadedLight shaded;
-  shaded.diffuse = s.diffuse * integral.diffuse;
   float filled = share;
   if (s.corrected) {
     float w = ltc_ratio_weight(integral, share);
     filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
   }
-  float weight = ltc_part_weight(s, integral.specular_direction, share);
-  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
-  return shaded;
+  return ltc_shade_filled(s, integral, ltc_part_weight(s, integral.specular_direction, share),
+                          filled);
 }
 
 // ---- polygon edges ------------------------------------------------------------------------------

@@ -990,19 +990,26 @@ struct ltc_ShadedLight {
 // Their sum.
 fn ltc_both_parts(shaded: ltc_ShadedLight) -> vec3f { return shaded.diffuse + shaded.specular; }
 
+// Light of radiance 1 whose specular part has this weight of F90 over F0, and the share `filled` of n1; where the
+// integral is that of GGX itself, its own.
+fn ltc_shade_filled(s: ltc_Surface, integral: ltc_LightIntegral, weight: f32,
+                    filled: f32) -> ltc_ShadedLight {
+  var shaded: ltc_ShadedLight;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
+  return shaded;
+}
+
 // Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
 fn ltc_shade_integral(s: ltc_Surface, integral: ltc_LightIntegral) -> ltc_ShadedLight {
   let share = ltc_filled_share(s, integral);
-  var shaded: ltc_ShadedLight;
-  shaded.diffuse = s.diffuse * integral.diffuse;
   var filled = share;
   if (s.corrected) {
     let w = ltc_ratio_weight(integral, share);
     filled = min(share * ltc_blended_ratio(s, integral.specular_direction, w), 1.0);
   }
-  let weight = ltc_part_weight(s, integral.specular_direction, share);
-  shaded.specular = ltc_reflectance_of_weight(s, weight, filled);
-  return shaded;
+  return ltc_shade_filled(s, integral, ltc_part_weight(s, integral.specular_direction, share),
+                          filled);
 }
 
 // ---- polygon edges ------------------------------------------------------------------------------

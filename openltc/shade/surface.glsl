@@ -255,24 +255,35 @@ struct ShadedLight {
 /// Their sum.
 FN Vec3 both_parts(ShadedLight shaded) { return shaded.diffuse + shaded.specular; }
 
+/// Light of radiance 1 whose specular part has this weight of F90 over F0, and the share `filled` of n1; where the
+/// integral is that of GGX itself, its own.
+FN ShadedLight shade_filled(Surface s, LightIntegral integral, Real weight, Real filled) {
+  if (s.exact) {
+    Mask exact = integral.weight >= Real(0.0);
+    weight = select(exact, integral.weight, weight);
+    filled = select(exact, filled_share(s, integral), filled);
+  }
+  ShadedLight shaded;
+  shaded.diffuse = s.diffuse * integral.diffuse;
+  shaded.specular = reflectance_of_weight(s, weight, filled);
+  return shaded;
+}
+
 /// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
 FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
   Real share = filled_share(s, integral);
-  ShadedLight shaded;
-  shaded.diffuse = s.diffuse * integral.diffuse;
+  if (s.exact) {
+    // Uniform shortcut: no lane's light is that of a lobe.
+    if (all_lanes(integral.weight >= Real(0.0))) {
+      return shade_filled(s, integral, integral.weight, share);
+    }
+  }
   Real filled = share;
   if (s.corrected) {
     Real w = ratio_weight(integral, share);
     filled = min(share * blended_ratio(s, integral.specular_direction, w), Real(1.0));
   }
-  Real weight = part_weight(s, integral.specular_direction, share);
-  if (s.exact) {
-    Mask exact = integral.weight >= Real(0.0);
-    weight = select(exact, integral.weight, weight);
-    filled = select(exact, share, filled);
-  }
-  shaded.specular = reflectance_of_weight(s, weight, filled);
-  return shaded;
+  return shade_filled(s, integral, part_weight(s, integral.specular_direction, share), filled);
 }
 
 /// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but

@@ -136,8 +136,8 @@ FN Real tube_thickness(Tube tube, TubeView view, Lobe lobe) {
   return tube.radius * sqrt(lobe_stretch2(lobe) / max(dot(nearest, nearest), Real(k_tiny)));
 }
 
-/// Whether a point that looks along the tube sees its closed end at `center`, shading space, `along` metres beyond
-/// which it lies.
+/// Whether a point that is not beside the tube is in front of its closed end at `center`, shading space: that lies
+/// `along` metres ahead, on the way into the tube.
 FN Mask sees_end(Tube tube, Vec3 center, Real along) {
   return along > Real(0.0) && has_caps(tube) &&
          (!has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);

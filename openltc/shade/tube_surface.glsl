@@ -89,26 +89,16 @@ FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral)
   if (!s.corrected) {
     return shade_integral(s, integral);
   }
-  Mask exact = Real(1.0) < Real(0.0);
   if (s.exact) {
-    exact = integral.weight >= Real(0.0);
-    if (all_lanes(exact)) {
+    // Uniform shortcut, as there.
+    if (all_lanes(integral.weight >= Real(0.0))) {
       return shade_integral(s, integral);
     }
   }
   Real share = filled_share(s, integral);
   TubeRatio ratio = ratio_of_tube(s, tube, integral, share);
-  Real weight =
-      fresnel_weight(s.wo, integral.specular_direction) + ratio.beyond + weight_of_rim(s, share);
-  Real filled = min(share * ratio.scale, Real(1.0));
-  if (s.exact) {
-    weight = select(exact, integral.weight, weight);
-    filled = select(exact, share, filled);
-  }
-  ShadedLight shaded;
-  shaded.diffuse = s.diffuse * integral.diffuse;
-  shaded.specular = reflectance_of_weight(s, weight, filled);
-  return shaded;
+  Real weight = part_weight(s, integral.specular_direction, share) + ratio.beyond;
+  return shade_filled(s, integral, weight, min(share * ratio.scale, Real(1.0)));
 }
 
 /// Light that a surface reflects of a tube of radiance 1, without shadow.

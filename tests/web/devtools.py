@@ -3,6 +3,7 @@
 """A browser without a window, led by the DevTools protocol through a pipe: real keys, real pointers, pictures of the
 page. Nothing but Python's own library."""
 
+import argparse
 import base64
 import functools
 import http.server
@@ -15,12 +16,29 @@ import tempfile
 import threading
 import time
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "parity"))
+k_here = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity"), k_here]
 import browser
+from openltc import skip
 
 # What a key is called, which code the protocol wants, and what it types.
 k_keys = {"Tab": (9, ""), "Enter": (13, "\r"), "Escape": (27, ""), "Backspace": (8, ""), "ArrowLeft": (37, ""), "ArrowUp": (38, ""),
           "ArrowRight": (39, ""), "ArrowDown": (40, ""), " ": (32, " "), ".": (190, "."), "-": (189, "-")}
+
+
+def app_arguments(page):
+    """The words of a test of web/app, and the browser's program; where that or `page` is missing, it skips."""
+    parser = argparse.ArgumentParser()
+    for name in ("openltc", "app", "work"):
+        parser.add_argument("--" + name, required=True)
+    arguments = parser.parse_args()
+    program = browser.find()
+    if not program:
+        skip("chromium not found (package chromium)")
+    if not os.path.exists(os.path.join(arguments.app, page)):
+        skip("%s/%s is not there; make web makes it" % (arguments.app, page))
+    os.makedirs(arguments.work, exist_ok=True)
+    return arguments, program
 
 
 class Server:

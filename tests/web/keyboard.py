@@ -9,7 +9,6 @@ what the page keeps over many fits.
 FOLDER is what `make web` makes. Exit code 0: all is well; 1: it is not; 77:
 nothing could run, and why."""
 
-import argparse
 import glob
 import json
 import os
@@ -17,10 +16,8 @@ import subprocess
 import sys
 
 k_here = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity"), k_here]
-import browser
-from devtools import Page, Server
-from openltc import skip
+sys.path.insert(0, k_here)
+from devtools import Page, Server, app_arguments
 
 k_refits, k_warm = 200, 40
 # By how much JavaScript's heap may be larger after those fits than after the first of them, bytes.
@@ -222,17 +219,8 @@ def refit_often(page, address):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    for name in ("openltc", "app", "work"):
-        parser.add_argument("--" + name, required=True)
-    arguments = parser.parse_args()
-    program = browser.find()
-    if not program:
-        skip("chromium not found (package chromium)")
-    if not os.path.exists(os.path.join(arguments.app, "index.html")):
-        skip("%s is not there; make web makes it, with clang-22" % arguments.app)
+    arguments, program = app_arguments("index.html")
     work = os.path.abspath(arguments.work)
-    os.makedirs(work, exist_ok=True)
     for old in glob.glob(os.path.join(work, "mine*")):
         os.remove(old)
     server, page = Server(os.path.abspath(arguments.app)), Page(program, (1320, 900))

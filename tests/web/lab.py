@@ -7,7 +7,6 @@
 
 FOLDER is what `make web` makes. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
 
-import argparse
 import json
 import os
 import subprocess
@@ -17,7 +16,8 @@ import zipfile
 k_here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity"), k_here]
 import browser
-from openltc import skip, write_merl
+from devtools import app_arguments
+from openltc import write_merl
 
 k_failures = []
 
@@ -54,16 +54,7 @@ def inspect(openltc, path, words):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    for name in ("openltc", "app", "work"):
-        parser.add_argument("--" + name, required=True)
-    arguments = parser.parse_args()
-    program = browser.find()
-    if not program:
-        skip("chromium not found (package chromium)")
-    if not os.path.exists(os.path.join(arguments.app, "index.html")):
-        skip("%s is not there; make web makes it, with clang-22" % arguments.app)
-    os.makedirs(arguments.work, exist_ok=True)
+    arguments, program = app_arguments("index.html")
     write_merl(os.path.join(arguments.work, "made.binary"))
     found = browser.run(program, os.path.join(k_here, "lab.html"), arguments.work, [], root=os.path.abspath(arguments.app),
                         timeout=400)

@@ -8,7 +8,6 @@ with that of `openltc render`.
 
 FOLDER is what `make web` makes. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
 
-import argparse
 import base64
 import gzip
 import json
@@ -22,10 +21,9 @@ k_here = os.path.dirname(os.path.abspath(__file__))
 k_root = os.path.dirname(os.path.dirname(k_here))
 sys.path[:0] = [k_here, os.path.join(k_root, "tests", "parity"), os.path.join(k_root, "tests", "engines"),
                 os.path.join(k_root, "tools"), os.path.join(k_root, "tools", "npm")]
-import browser
 from bad_files import bad_files
-from devtools import Page, Server
-from engines import read_exr, run, skip
+from devtools import Page, Server, app_arguments
+from engines import read_exr, run
 from scenes import k_scenes, write_scene
 from three import shown
 
@@ -334,17 +332,8 @@ def size_of(app):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    for name in ("openltc", "app", "work"):
-        parser.add_argument("--" + name, required=True)
-    arguments = parser.parse_args()
-    program = browser.find()
-    if not program:
-        skip("chromium not found (package chromium)")
-    if not os.path.exists(os.path.join(arguments.app, "viewer.html")):
-        skip("%s/viewer.html is not there; make web makes it" % arguments.app)
+    arguments, program = app_arguments("viewer.html")
     work = os.path.abspath(arguments.work)
-    os.makedirs(work, exist_ok=True)
     write_scene("rect", k_scenes["rect"], work + "/rect.glb", True)
     write_scene("rect", [], work + "/dark.glb", True)
     page_bytes, more = size_of(arguments.app)

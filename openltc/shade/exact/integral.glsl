@@ -116,22 +116,22 @@ FN LightIntegral exact_light_integral(Surface s, Vec3 diffuse, ExactIntegral spe
   Real wide = min(max((s.alpha - Real(k_narrow_lobe)) * Real(k_inv_narrow_lobe_range), Real(0.0)),
                   Real(1.0));
   Real at_mean = part_weight(s, specular.direction, filled_share(s, integral));
-  Real mean = specular.bias / max(specular.light, Real(k_tiny));
+  Real mean = min(specular.bias / max(specular.light, Real(k_tiny)), Real(1.0));
   integral.weight = max(at_mean + (mean - at_mean) * wide, Real(0.0));
   return integral;
 }
 
 /// The integral of the lobe where the mask is set, the exact one elsewhere.
-FN LightIntegral lobe_where(Mask m, LightIntegral a, LightIntegral b) {
+FN LightIntegral lobe_where(Mask m, LightIntegral lobe, LightIntegral exact) {
   LightIntegral integral;
-  integral.diffuse = select(m, a.diffuse, b.diffuse);
-  integral.specular = select(m, a.specular, b.specular);
-  integral.diffuse_direction = select(m, a.diffuse_direction, b.diffuse_direction);
-  integral.specular_direction = select(m, a.specular_direction, b.specular_direction);
-  integral.second = select(m, a.second, b.second);
-  integral.first_direction = select(m, a.first_direction, b.first_direction);
-  integral.second_direction = select(m, a.second_direction, b.second_direction);
-  integral.concentration = select(m, a.concentration, b.concentration);
-  integral.weight = select(m, Real(-1.0), b.weight);
+  integral.diffuse = select(m, lobe.diffuse, exact.diffuse);
+  integral.specular = select(m, lobe.specular, exact.specular);
+  integral.diffuse_direction = select(m, lobe.diffuse_direction, exact.diffuse_direction);
+  integral.specular_direction = select(m, lobe.specular_direction, exact.specular_direction);
+  integral.second = select(m, lobe.second, exact.second);
+  integral.first_direction = select(m, lobe.first_direction, exact.first_direction);
+  integral.second_direction = select(m, lobe.second_direction, exact.second_direction);
+  integral.concentration = select(m, lobe.concentration, exact.concentration);
+  integral.weight = select(m, Real(-1.0), exact.weight);
   return integral;
 }
