@@ -5,7 +5,7 @@
 // chosen by the bound, and what the choice changed in the picture beside what it may.
 //
 //   bench_many_lights [LIGHTS...]   numbers of lights, the first of which the others are compared
-//   to
+//   to; --two-lobes takes the table of two lobes, --ratio or --exact that form of specular light
 //   bench_many_lights --facets [FACETS...]   a glowing mesh of so many facets, each a light: time
 //   and error of both integrators against 128 samples of the reference
 
@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -27,9 +28,12 @@ using namespace openltc;
 
 namespace {
 
-render::Picture rendered(const scene::Scene& scene, const render::RenderOptions& options) {
-  Result<render::Picture> picture =
-      render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options);
+const table::LobeTable* lobes = &table::builtin_ggx_table();
+std::optional<render::SpecularForm> form;
+
+render::Picture rendered(const scene::Scene& scene, render::RenderOptions options) {
+  options.specular_form = form;
+  Result<render::Picture> picture = render::render(scene, scene.cameras.at(0), *lobes, options);
   if (!picture.ok()) {
     fmt::print(stderr, "{}\n", picture.error().message);
     std::exit(1);
@@ -177,6 +181,9 @@ int main(int argc, char** argv) {
   bool of_facets = false;
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]) == "--facets") of_facets = true;
+    if (std::string_view(argv[i]) == "--two-lobes") lobes = &table::builtin_ggx_two_lobe_table();
+    if (std::string_view(argv[i]) == "--ratio") form = render::SpecularForm::ratio;
+    if (std::string_view(argv[i]) == "--exact") form = render::SpecularForm::exact;
     if (argv[i][0] != '-') counts.push_back(std::max(std::atoi(argv[i]), 1));
   }
   if (of_facets) {

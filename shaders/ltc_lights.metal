@@ -78,7 +78,7 @@ constant float ltc_k_normal_rounding = 1.0e-6;
 constant float ltc_k_min_share = 0.01;
 
 // Most that a light's specular part is multiplied by (blended_ratio), so that it fades where a light
-// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is 16 times
+// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is so many times
 // the lobe, there is next to nothing of either.
 constant float ltc_k_max_ratio = 64.0;
 

@@ -63,7 +63,7 @@ const ltc_k_normal_rounding: f32 = 1.0e-6;
 const ltc_k_min_share: f32 = 0.01;
 
 // Most that a light's specular part is multiplied by (blended_ratio), so that it fades where a light
-// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is 16 times
+// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is so many times
 // the lobe, there is next to nothing of either.
 const ltc_k_max_ratio: f32 = 64.0;
 

@@ -36,12 +36,15 @@ enum BoundField {
   k_bound_longest,   ///< and at most how it magnifies any distance
   k_bound_geometric, ///< normal of the triangle
   k_bound_tilt = k_bound_geometric + 3, ///< length of its difference from the shading normal
-  k_bound_ratio, ///< what the lobe's light is at most multiplied by: Surface::max_ratio
+  k_bound_ratio, ///< what a lobe's light is at most multiplied by: Surface::max_ratio
   /// Of a second lobe the six from k_bound_a to k_bound_peak; all 0 where there is none. The
   /// weights of both lobes are in their densities and peaks.
   k_bound_second,
   k_bound_second_density = k_bound_second + (k_bound_density - k_bound_a),
   k_bound_second_peak,
+  k_bound_alpha,     ///< Surface::alpha
+  k_bound_cos_view,  ///< cosine of the view, 0..1
+  k_bound_amplitude, ///< n1
   k_bound_field_count
 };
 

@@ -206,7 +206,6 @@ struct KernelContext {
   Integrator integrator = Integrator::ltc;
   PunctualForm punctual_form = PunctualForm::exact;
   SpecularForm specular_form = SpecularForm::lobe;
-  bool many_lights = false;     ///< their light is bounded: k_max_ratio_of_many
   bool lobe_samples = true;     ///< of the reference: polygon lights are sampled by lobes
   int light_samples = 0;        ///< per point and area light
   int brdf_samples = 0;         ///< per point, shared by all lights; at most k_max_brdf_samples

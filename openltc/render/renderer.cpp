@@ -330,13 +330,10 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
                                             bits_below(std::uint32_t(most_samples)) <=
                                         32;
 
-  // The light that a group of exact lights reflects has no bound that is known: they are shaded one
-  // by one.
   LightTree tree;
   const int count = context.area_light_count;
-  context.many_lights = !reference && count >= k_min_lights_to_choose;
-  const bool chooses = options.light_error > 0 && options.specular_form != SpecularForm::exact;
-  if (reference ? count >= k_min_lights_to_draw : chooses && context.many_lights)
+  if (reference ? count >= k_min_lights_to_draw
+                : options.light_error > 0 && count >= k_min_lights_to_choose)
     tree = LightTree(lights.tree_lights);
   if (reference && !tree.nodes().empty()) {
     context.light_nodes = {tree.nodes().data(), k_drawn_lights};

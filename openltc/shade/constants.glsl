@@ -34,11 +34,9 @@ CONSTANT k_normal_rounding = 1.0e-6;
 CONSTANT k_min_share = 0.01;
 
 /// Most that a light's specular part is multiplied by (blended_ratio), so that it fades where a light
-/// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is 16 times
+/// leaves the lobe, beyond whose own horizon there is nothing to multiply. Where the BRDF is so many times
 /// the lobe, there is next to nothing of either.
 CONSTANT k_max_ratio = 64.0;
-/// And where lights are so many that their sum has to be bounded.
-CONSTANT k_max_ratio_of_many = 16.0;
 
 /// Added under a division or a square root whose argument may vanish; far below any length in use.
 CONSTANT k_tiny = 1.0e-30;

@@ -178,7 +178,6 @@ render::BatchBounds measured(const std::vector<render::SurfacePoint>& points,
   render::KernelContext context;
   context.table = table_of(two).view();
   context.specular_form = form;
-  context.many_lights = true;
   return buffer.measure(render::best_kernel(), context, buffer.all());
 }
 
@@ -292,9 +291,9 @@ TEST_CASE("no point reflects more of a light of any shape than its bound") {
     context.table = table_of(two).view();
     context.area_lights = set.area_lights.data();
     context.area_light_count = 1;
-    context.specular_form =
-        round / 4 % 2 ? render::SpecularForm::ratio : render::SpecularForm::lobe;
-    context.many_lights = true;
+    const render::SpecularForm forms[] = {render::SpecularForm::lobe, render::SpecularForm::ratio,
+                                          render::SpecularForm::exact};
+    context.specular_form = forms[round / 4 % 4 % 3];
     std::vector<Vec3f> out(points.size(), Vec3f(0));
     std::vector<float> no_ratio;
     const render::BatchBounds bounds = measured(points, context.specular_form, two);

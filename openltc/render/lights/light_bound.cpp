@@ -73,6 +73,8 @@ float least_square(Interval a) {
   return m * m;
 }
 
+float square(float a) { return a * a; }
+
 /// Largest absolute value.
 float magnitude(Interval a) { return std::max(std::abs(a.lower), std::abs(a.upper)); }
 
@@ -134,6 +136,7 @@ void cosines(const PreparedBatch& batch, const Reach& reach, Interval* result) {
 struct LobeBound {
   float density =
       0; ///< at least that of any point towards the lights, over its share above the horizon
+  float least_density = 0; ///< at most that of any point towards any of them
   float least_length2 = 0; ///< at most |o|^2 of any of these directions
   bool above = false;      ///< all of them are above the cosine's horizon
 };
@@ -142,11 +145,15 @@ struct LobeBound {
 LobeBound bound_lobe(const BatchBounds& batch, int first, Interval x, Interval y, Interval z) {
   const int offset = first - k_bound_a;
   const Interval a = field(batch, first), ab = field(batch, k_bound_ab + offset);
+  const Interval ox = a * x + ab * z;
   const Interval oz = field(batch, k_bound_ac + offset) * x + field(batch, k_bound_ad + offset) * z;
   LobeBound lobe;
   if (oz.upper <= 0) return lobe;
+  const float most_length2 = square(magnitude(ox)) + square(magnitude(y)) + square(oz.upper);
+  lobe.least_density = std::max(oz.lower - k_slack, 0.0f) * batch.lower[k_bound_density + offset] /
+                       (k_margin * square(most_length2));
 
-  float q = least_square(a * x + ab * z) + least_square(y);
+  float q = least_square(ox) + least_square(y);
   // Around normal incidence the frames may be turned against one another by any angle. What stays
   // is the distance from z': |(A x', y)| >= min(|A|, 1) sqrt(1 - z'^2).
   const float z_largest = magnitude(z);
@@ -165,6 +172,36 @@ LobeBound bound_lobe(const BatchBounds& batch, int first, Interval x, Interval y
   lobe.density =
       std::min(peak, batch.upper[k_bound_density + offset] * (best / (length2 * length2)));
   return lobe;
+}
+
+// At least GGX's D V cos_i of any point towards the lights. With m the mirror direction and P the
+// projection on the surface P(wo) = -P(m), so that the half vector has
+//   sin_h = |P(wi - m)| / |wo + wi|,
+//   P(wi - m) = (x' cos_o + (1 - z') sin_o, y)   in the mirror frame,
+// in which lights near m are well conditioned. Around normal incidence, where frames may be turned
+// against one another, |P(wi - m)| >= |sin_i - sin_o| stays. D falls with sin_h and has its largest
+// value over alpha at alpha^2 = tan_h^2; V cos_i = cos_i / (2 (cos_i root_o + cos_o root_i)) rises
+// with cos_i and falls with cos_o and alpha.
+float bound_ggx(const BatchBounds& batch, const Interval* mirror, Interval cos_surface,
+                float cos_view_most) {
+  const Interval c = field(batch, k_bound_cos_view), alpha = field(batch, k_bound_alpha);
+  const auto sine = [](float cosine) { return std::sqrt(std::max(1 - cosine * cosine, 0.0f)); };
+  const Interval sin_o = {sine(c.upper), sine(c.lower)};
+  const Interval less_z = {1 - mirror[2].upper, 1 - mirror[2].lower};
+  float across = least_square(mirror[0] * c + less_z * sin_o) + least_square(mirror[1]);
+  const float cos_i = std::clamp(cos_surface.upper, 0.0f, 1.0f);
+  const float least_sin_i = sine(cos_i), most_sin_i = sine(std::max(cos_surface.lower, 0.0f));
+  const float apart =
+      std::max(std::max(least_sin_i - sin_o.upper, sin_o.lower - most_sin_i) - k_slack, 0.0f);
+  across = std::max(across, apart * apart);
+  const float sin2_h = std::clamp(across / (2 + 2 * cos_view_most), 0.0f, 1.0f);
+
+  const float least = square(alpha.lower), most = square(alpha.upper);
+  const float worst = sin2_h < 0.999f ? std::clamp(sin2_h / (1 - sin2_h), least, most) : most;
+  const float denominator = sin2_h + worst * (1 - sin2_h);
+  const float d = worst / (k_pi * square(denominator));
+  const auto root = [&](float cosine) { return std::sqrt(cosine * cosine * (1 - least) + least); };
+  return d * 0.5f * cos_i / std::max(cos_i * root(c.lower) + c.lower * root(cos_i), 1.0e-12f);
 }
 
 /// At least the distance between two points of the box.
@@ -222,14 +259,19 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
   // Of two lobes the densities add, with the weights that they have in them.
   const bool two = batch.upper[k_bound_second_peak] > 0;
   float density = lobe.density;
-  if (two)
-    density += bound_lobe(batch, k_bound_second, cosine_to[0], cosine_to[1], cosine_to[2]).density;
+  float least_density = lobe.least_density;
+  if (two) {
+    const LobeBound second =
+        bound_lobe(batch, k_bound_second, cosine_to[0], cosine_to[1], cosine_to[2]);
+    density += second.density;
+    least_density += second.least_density;
+  }
   const float form = cos_light * inv_near2;
   const float share = std::min(extent.area * form * density, 1.0f);
 
   // Schlick's weight grows with the angle between the viewer and the light.
-  const float cos_view = cosine(field3(batch, k_bound_view), reach).lower;
-  const float m = 1 - std::sqrt(std::max(0.5f + 0.5f * cos_view, 0.0f));
+  const Interval cos_view = cosine(field3(batch, k_bound_view), reach);
+  const float m = 1 - std::sqrt(std::max(0.5f + 0.5f * cos_view.lower, 0.0f));
   const float axis_weight = share * batch.upper[k_bound_axis_weight];
   const float weight = std::min(m * m * m * m * m + axis_weight, 1.0f);
   const float narrow = extent.cosine_power > 0 ? std::pow(cos_light, extent.cosine_power) : 1.0f;
@@ -247,6 +289,15 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
   // second lobe.
   const float ratio = batch.upper[k_bound_ratio];
   const bool far_specular = far_diffuse && !cut && ratio == 1.0f && !two;
+  // What the ratio makes of the lobe's light L is no more than L or than the BRDF in one direction
+  // of the light times L over the lobe there, whichever is more. GGX itself is within that, too.
+  float filled = density;
+  if (ratio > 1) {
+    const float ggx = bound_ggx(batch, cosine_to, cos_surface, cos_view.upper) /
+                      std::max(batch.lower[k_bound_amplitude], 1.0e-6f);
+    const float uneven = least_density > 0 ? density / least_density : k_unbounded;
+    filled = std::max(std::max(std::min(ggx * uneven, density * ratio), density), ggx);
+  }
   const float inv_near = reach.inv_nearest, inv_near3 = inv_near * inv_near2;
   const float inv_near4 = inv_near2 * inv_near2, inv_near5 = inv_near4 * inv_near;
   const float inv_o2 = 1 / std::max(lobe.least_length2, 1.0e-8f);
@@ -268,7 +319,7 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
                           std::min(flux * cos_surface.upper * (1 / k_pi), radiance);
     const float grazing = std::max(batch.upper[k_bound_grazing + c], 0.0f);
     const float fresnel = std::max(batch.upper[k_bound_specular + c] + grazing * weight, 0.0f);
-    const float lobe_light = std::min(flux * density * ratio, radiance);
+    const float lobe_light = std::min(flux * filled, radiance);
     all = std::max(all, diffuse + fresnel * lobe_light);
     specular_left_out = std::max(specular_left_out, fresnel * lobe_light);
     if (!far_diffuse) return;
