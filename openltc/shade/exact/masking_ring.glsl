@@ -239,7 +239,10 @@ FN_CALL ContourSums add_horizon_arc(ExactView view, ContourSums sums, ConicPoint
                        Real(0.5) * inv_sin *
                            log(max(part.end, Real(k_tiny)) / max(part.begin, Real(k_tiny))));
   Real up = view.alpha * view.cos_o;
-  sums.visible = sums.visible + Vec3(-up * along, up * across, cos_part - part.inverse) * sign;
+  // Of (sin_o cos - 1) over e. The mean of e is nearly 2, and cos_part nearly part.inverse, at grazing views.
+  Real less = view.cos_o * view.cos_o * (Real(1.0) - view.alpha2);
+  Real upward = Real(-0.5) * (part.angle + less * part.inverse);
+  sums.visible = sums.visible + Vec3(-up * along, up * across, upward) * sign;
   sums.solid = sums.solid - part.angle * sign;
   return sums;
 }

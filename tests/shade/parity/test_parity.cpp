@@ -221,13 +221,11 @@ const std::map<std::string, Beyond>& exceptions() {
       // One edge by itself may pass right by the pole of its plane, where its angle turns at once;
       // the sum of an outline does not.
       {"clipped_edge_term", {100, 1e-3}},
-      // Wide edges have more nodes, and whether one is wide is a matter of its last digit: a step
-      // as high
-      // as the quadrature errs.
-      {"shade_polygon.exact", {200, 5e-3}},
-      {"shade_polygon.exact, tilted", {200, 5e-3}},
-      {"shade_sphere.exact", {150, 1e-3}},
-      {"shade_tube.exact", {150, 1e-3}},
+      // Where edges or arcs pass a peak of GGX that is narrow and seen at a grazing angle.
+      {"shade_polygon.exact", {40, 1e-3}},
+      {"shade_polygon.exact, tilted", {40, 2e-4}},
+      {"shade_sphere.exact", {100, 2e-4}},
+      {"shade_tube.exact", {30, 2e-4}},
       // The axes of cells turn quickly where the lobe is nearly round on the light.
       {"emission_seen.diffuse", {50, 2e-4}},
       {"emission_seen.specular", {50, 2e-4}}};
