@@ -127,6 +127,16 @@ def judge_both(renderer, answer):
     return [] if fair else ["%s: the picture is not the sum; the bound is %g" % (name, k_both)]
 
 
+def judge_changes(renderer, answer):
+    """What is wrong with pictures after a change, in words."""
+    name = "%s, changes" % renderer
+    if "failed" in answer:
+        return ["%s: %s" % (name, answer["failed"])]
+    off, changed = max(s["off"] for s in answer["steps"]), min(s["changed"] for s in answer["steps"])
+    print("%s: off by %.1e of a scene that never was another; each changes %.1f of 100 at least" % (name, off, 100 * changed))
+    return [] if off <= k_both and changed > 0.005 else ["%s: a change is not seen; the bound is %g" % (name, k_both)]
+
+
 def make_page(work, three):
     """The page for that folder of three.js below `work`."""
     with open(os.path.join(k_here, "three.html"), encoding="utf-8") as stream:
@@ -236,6 +246,8 @@ def check(program, openltc, work, three, pages, scenes, shaded, expected, pictur
                 for scene, frames in shaded.items()]
              + [dict(name="both_" + renderer, task="add", file="rect.glb", renderer=renderer, size=(120, 80))
                 for renderer in scenes]
+             + [dict(name="change_" + renderer, task="change", file="picture.glb", renderer=renderer, size=(60, 40))
+                for renderer in scenes]
              + [{"name": "example_" + page, "task": "open", "page": "/%s.html" % page} for page in pages])
     answers = browser.run(program, make_page(work, three), work, posts, root=work, timeout=900)
     if "start" in answers:
@@ -257,6 +269,7 @@ def check(program, openltc, work, three, pages, scenes, shaded, expected, pictur
         failures += judge_rewritten(openltc, work, scene, expected[scene], answers.get(name, late))
     for renderer in scenes:
         failures += judge_both(renderer, answers.get("both_" + renderer, late))
+        failures += judge_changes(renderer, answers.get("change_" + renderer, late))
     for scene, frames in shaded.items():
         failures += judge_shaded(openltc, work, scene, frames, answers.get("shaded_" + scene, late))
     return failures

@@ -17,7 +17,7 @@ function put(bytes, at, map, t) {
 function draw(canvas, width, height, colour) {
   canvas.width = width;
   canvas.height = height;
-  const context = canvas.getContext('2d'), image = context.createImageData(width, height);
+  const context = canvas.getContext('2d', {willReadFrequently: true}), image = context.createImageData(width, height);
   for (let i = 0; i < width * height; ++i) colour(i, image.data, 4 * i);
   context.putImageData(image, 0, 0);
 }

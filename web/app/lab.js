@@ -22,7 +22,7 @@ const k_pause = 250; // ms after the last key before a fit begins
 const state = {...start};
 let fitter, preview = null, editor, colours, fit = null, merl = null, cosine;
 let trusted = true; // the text is the reader's own, or was read
-let typed = 0, still = 0, latest = 0, drawing = false, wanted = false;
+let typed = 0, still = 0, latest = 0, drawing = false, wanted = false, rough = false;
 
 // ---- fits
 
@@ -46,6 +46,7 @@ async function refit() {
   if (state.brdf === k_own && !trusted) return say('waiting for you');
   if (fitter.busy) fitter.cancel();
   const mine = ++latest;
+  clearTimeout(still);
   say('fitting', true);
   $('progress').value = 0;
   try {
@@ -64,6 +65,7 @@ async function refit() {
 }
 
 async function showFailure(error) {
+  smoothLater();
   if (error.cancelled) return say('cancelled');
   let {line, column} = error;
   if (error.syntax) [line, column] = await findSyntaxError(state.text);
@@ -124,7 +126,14 @@ function markMap() {
 }
 
 function drawPreview(density) {
+  rough = density === 1;
   preview.draw({...state, exposure: 2 ** state.exposure}, density);
+}
+
+// Four times the pixels; not while a fit is under way, nor where the rough picture is not there yet: a slow machine.
+function smoothLater() {
+  clearTimeout(still);
+  still = setTimeout(() => preview?.isDrawn && rough && guarded(() => drawPreview(2)), k_still);
 }
 
 // Pictures follow at once, the figures of the worker as soon as it is free.
@@ -136,8 +145,7 @@ function show() {
     guarded(() => {
       drawPreview(1);
       handles.preview.draw(state.light);
-      clearTimeout(still);
-      still = setTimeout(() => preview && guarded(() => drawPreview(2)), k_still);
+      smoothLater();
     });
   wanted = true;
   if (!drawing) drawFigures();

@@ -49,7 +49,8 @@ export function lobePicture(matrix, colours) {
     return Math.max(o[2], 0) / (o[0] * o[0] + o[1] * o[1] + o[2] * o[2]) ** 2; // times det / pi
   });
   const most = density.reduce((a, b) => Math.max(a, b), 1e-30);
-  const context = canvas.getContext('2d'), image = context.createImageData(side, side);
+  // Not one of the graphics processor: to read that, the page would wait for all pictures that are under way there.
+  const context = canvas.getContext('2d', {willReadFrequently: true}), image = context.createImageData(side, side);
   density.forEach((d, i) => {
     const at = 3 * Math.round(255 * Math.max(0, 1 + Math.log10(Math.max(d / most, 1e-9)) / 3));
     for (let c = 0; c < 3; ++c) image.data[4 * i + c] = 255 * colours.viridis[at + c];

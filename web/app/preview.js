@@ -147,6 +147,7 @@ export class Preview {
   #textures = [];
   #fit = null;
   #shaders = new Map(); // their texts
+  #fence = null; // behind the last picture
 
   /// Fails where there is no WebGL 2.
   constructor(canvas) {
@@ -210,6 +211,14 @@ export class Preview {
     gl.uniform1i(place('u_wide'), this.#fit.width === 'one' ? 1 : 0);
     gl.uniform3fv(place('u_color'), lightColor);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.deleteSync(this.#fence);
+    this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+  }
+
+  /// Whether the last picture is there, not only asked for.
+  get isDrawn() {
+    return this.#fence !== null && this.#gl.getSyncParameter(this.#fence, this.#gl.SYNC_STATUS) === this.#gl.SIGNALED;
   }
 
   /// As rayIn, of this canvas.

@@ -51,11 +51,6 @@ class AreaLightsNode extends LightingNode {
     this.pictures = pictures.map(picture => texture(picture));
   }
 
-  setTextures(map, pictures) {
-    this.map.value = map;
-    pictures.forEach((picture, k) => this.pictures[k].value = picture);
-  }
-
   setup(builder) {
     const {lightingModel, reflectedLight} = builder.context, {material} = builder;
     if (!(lightingModel instanceof PhysicalLightingModel)) return;
@@ -79,26 +74,31 @@ class AreaLightsNode extends LightingNode {
 class WebGPUSceneLights extends SceneLights {
   depth = 0; // pictures of this scene that are being drawn, one within the other: they share a texture
   forms = '';
+  textures = []; // that the node reads
   node = null;
   warned = false;
   lists = new Map(); // three.js's nodes of the lights of this scene, and their setLights
 
   begin(renderer, camera) {
-    if (this.depth++ === 0) this.update(camera);
+    if (this.depth++ === 0) {
+      this.update(camera);
+      // Meshes and materials that stay as they are keep their bindings, of whose textures three.js then asks nothing.
+      this.textures.forEach(one => renderer.initTexture(one));
+    }
     this.takeList(renderer.lighting.getNode(this.scene, camera));
   }
 
   end() { if (this.depth > 0) --this.depth; }
 
   update(camera) {
-    const forms = this.collect(camera), textures = [this.rows.texture, this.pictures];
+    const forms = this.collect(camera), textures = [this.rows.texture, ...this.pictures];
     if (this.rows.casts && !this.warned)
       console.warn('openltc-three: castShadow of area lights does nothing with WebGPURenderer; WebGLRenderer has their ' +
                    'shadows, by openltc-three/shadows');
     this.warned ||= this.rows.casts;
-    if (forms !== this.forms) this.node = forms ? new AreaLightsNode(forms, ...textures) : null;
-    else this.node?.setTextures(...textures);
-    this.forms = forms;
+    if (forms !== this.forms || textures.some((one, k) => one !== this.textures[k]))
+      this.node = forms ? new AreaLightsNode(forms, this.rows.texture, this.pictures) : null;
+    Object.assign(this, {forms, textures});
   }
 
   takeList(list) {
