@@ -168,7 +168,8 @@ class Page:
         self.pointer("mouseReleased", *end)
 
     def screenshot(self, path, whole=False):
-        answer = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=whole)
+        # All pictures that the page has asked for come first.
+        answer = self.call("Page.captureScreenshot", 600, format="png", captureBeyondViewport=whole)
         with open(path, "wb") as stream:
             stream.write(base64.b64decode(answer["data"]))
 

@@ -46,8 +46,11 @@ def show_laboratory(page, address):
     """The example, under a light in the shape of an arrow."""
     page.open(address + "index.html")
     page.until("/up to date/.test(document.getElementById('status').textContent)", "the fit", 600)
+    # Smooth edges on a busy machine too: the page takes every picture for drawn.
+    page.evaluate("WebGL2RenderingContext.prototype.getSyncParameter = function() { return this.SIGNALED; }")
     page.evaluate("document.querySelector('[data-shape=arrow]').click()")
-    time.sleep(4) # the picture gets smooth edges, the worker draws its figures
+    page.until("(p => p.width > p.clientWidth)(document.getElementById('preview'))", "smooth edges")
+    time.sleep(4) # the worker draws its figures
 
 
 # Name and ending of the picture, file, how it is shown, pixels from the top.
