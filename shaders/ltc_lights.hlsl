@@ -698,12 +698,12 @@ float ltc_any_over_sin(float x, float sin2, float acute) {
 
 // theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
 float ltc_theta_over_sin(float x, float sin2) {
-  float acute = ltc_acute_over_sin(x);
+  float weight = ltc_acute_over_sin(x);
   // Uniform shortcut: no lane's angle is beyond a right one.
-  if (!(x < 0.0)) {
-    return acute;
+  if (x < 0.0) {
+    weight = ltc_any_over_sin(x, sin2, weight);
   }
-  return ltc_any_over_sin(x, sin2, acute);
+  return weight;
 }
 
 // Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
@@ -790,54 +790,6 @@ float ltc_angle_of_unit(float c, float s) {
   float acute = s * ltc_acute_over_sin(c);
   float half_turn = s < 0.0 ? -ltc_k_pi : ltc_k_pi;
   return c < 0.0 ? half_turn - acute : acute;
-}
-
-// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
-// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
-// counts as it is.
-struct ltc_EdgeAbove {
-  float3 term;    // its contribution to the vector irradiance, times 2 pi
-  float turn_cos; // 1 where nothing was cut
-  float turn_sin; // 0 where nothing was cut
-};
-
-// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-ltc_EdgeAbove ltc_edge_above(float3 a, float3 b, float s, float inv_a, float inv_b) {
-  bool a_up = a.z >= 0.0;
-  bool b_up = b.z >= 0.0;
-  float3 d = b - a;
-  float t = ltc_crossing_place(a.z, b.z);
-  float3 q = float3(a.x + d.x * t, a.y + d.y * t, 0.0);
-  float inv_q = ltc_inverse_length(q);
-  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
-  ltc_EdgeAbove edge;
-  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
-                                   b_up ? inv_b : inv_q);
-  edge.term = a_up || b_up ? edge.term : float3(0.0, 0.0, 0.0);
-  bool leaves = a_up && !b_up;
-  bool enters = b_up && !a_up;
-  float inv_s = inv_q * s;
-  float x = q.x * inv_s;
-  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
-  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
-  return edge;
-}
-
-// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
-// other.
-ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
-  ltc_EdgeAbove sum;
-  sum.term = a.term + b.term;
-  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
-  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
-  return sum;
-}
-
-// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
-// about z leads backwards; it holds whatever rounding makes of an angle near 0.
-float3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
-  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
-  return float3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
 }
 
 // The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own
@@ -1416,12 +1368,10 @@ float ltc_wrapped_turn(float angle) {
   return a < turn ? a : a - turn;
 }
 
-// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z,
-// and closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the
-// vector irradiance. Ends that other edges continue from cancel with those.
-float3 ltc_clipped_arc_term(ltc_Cone cone, ltc_Arc part, float3 up, float s) {
-  ltc_Arc surface = ltc_arc_above(cone, up);
-  ltc_Arc cosine = ltc_arc_above(cone, float3(0.0, 0.0, 1.0));
+// What the arcs `part`, `surface` and `cosine` of an outline have in common, the latter two being what is above each
+// horizon, closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the vector
+// irradiance.
+float3 ltc_common_arc_term(ltc_Cone cone, ltc_Arc part, ltc_Arc surface, ltc_Arc cosine, float s) {
   float turn = 2.0 * ltc_k_pi;
   float x1 = surface.extent > ltc_k_full_turn ? 0.0 : ltc_wrapped_turn(surface.start - part.start);
   float x2 = cosine.extent > ltc_k_full_turn ? 0.0 : ltc_wrapped_turn(cosine.start - part.start);
@@ -1436,16 +1386,29 @@ float3 ltc_clipped_arc_term(ltc_Cone cone, ltc_Arc part, float3 up, float s) {
       float high = min(min(a + surface.extent, b + cosine.extent), part.extent);
       bool some = high > low;
       if (some) {
-        ltc_ConePoint from = ltc_cone_point(cone, part.start + low);
-        ltc_ConePoint to = ltc_cone_point(cone, part.start + high);
-        sum = sum + (to.sum - from.sum);
-        ends = ends +
-               (ltc_apex_term(to.direction, ltc_inverse_length(to.direction), s) -
-                ltc_apex_term(from.direction, ltc_inverse_length(from.direction), s));
+        // Its end, then its beginning.
+        float t = high;
+        float sign = 1.0;
+        for (int end = 0; end < 2; ++end) {
+          ltc_ConePoint point_ = ltc_cone_point(cone, part.start + t);
+          float counts = sign;
+          sum = sum + point_.sum * counts;
+          ends = ends +
+                 ltc_apex_term(point_.direction, ltc_inverse_length(point_.direction), s) * counts;
+          t = low;
+          sign = -1.0;
+        }
       }
     }
   }
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z + ends;
+}
+
+// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z, and closed as
+// above. Ends that other edges continue from cancel with those.
+float3 ltc_clipped_arc_term(ltc_Cone cone, ltc_Arc part, float3 up, float s) {
+  return ltc_common_arc_term(cone, part, ltc_arc_above(cone, up),
+                             ltc_arc_above(cone, float3(0.0, 0.0, 1.0)), s);
 }
 
 // Whether a cone lies wholly above the planes with unit normals `up` and z: the axis' height over
@@ -1483,7 +1446,7 @@ float3 ltc_clipped_cone(ltc_Cone cone, float3 up) {
   part.start = surface.extent > ltc_k_full_turn ? cosine.start : surface.start;
   part.extent = 2.0 * ltc_k_pi;
   float s = cone.e3.y < 0.0 ? -1.0 : 1.0;
-  return whole ? all : ltc_clipped_arc_term(cone, part, up, s);
+  return whole ? all : ltc_common_arc_term(cone, part, surface, cosine, s);
 }
 
 // Parameter of the outline at a direction on it, -pi..pi.
@@ -1502,8 +1465,14 @@ float ltc_outline_parameter(ltc_Cone cone, float3 direction) {
 
 // Share of the outline's arc `part` in 2 pi times the vector irradiance, without horizons.
 float3 ltc_arc_term(ltc_Cone cone, ltc_Arc part) {
-  float3 sum = ltc_cone_point(cone, part.start + part.extent).sum -
-               ltc_cone_point(cone, part.start).sum;
+  float3 sum = float3(0.0, 0.0, 0.0);
+  float t = part.start + part.extent;
+  float sign = 1.0;
+  for (int end = 0; end < 2; ++end) {
+    sum = sum + ltc_cone_point(cone, t).sum * sign;
+    t = part.start;
+    sign = -1.0;
+  }
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z;
 }
 
@@ -1638,44 +1607,12 @@ float3 ltc_arc_crossing(ltc_Cone cone, ltc_Arc part, float3 front, float3 otherw
 //
 // Source: the edge sum of edge.glsl.
 
-// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
-// normal, meets the y axis.
-float ltc_apex_side(float normal_y, float h) { return normal_y * h < 0.0 ? -1.0 : 1.0; }
-
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   float3 diffuse;  // 2 pi times the vector irradiance of the clipped polygon in shading space
   float3 specular; // the same in cosine space
   float outline2;  // square of the mean of the unit vectors to its corners, cosine space
 };
-
-// A corner of an outline as a point sees it.
-struct ltc_Corner {
-  float3 p;    // shading space
-  float3 o;    // cosine space
-  float inv_p; // 1 / length
-  float inv_o; // 1 / length
-};
-
-// The corner at p of shading space.
-ltc_Corner ltc_corner_at(float3 p, ltc_Lobe lobe) {
-  ltc_Corner corner;
-  corner.p = p;
-  corner.o = ltc_to_cosine(lobe, p);
-  corner.inv_p = ltc_inverse_length(corner.p);
-  corner.inv_o = ltc_inverse_length(corner.o);
-  return corner;
-}
-
-// And above the surface's horizon, clipped to the cosine's, not yet closed.
-ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
-  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
-}
-
-// The same of an edge above both horizons.
-float3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
-  return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
-}
 
 // Square of the length of a mean, from the sum and the number of its parts.
 float ltc_mean_length2(float3 sum, float count) { return dot(sum, sum) / max(count * count, 1.0); }
@@ -1898,10 +1835,109 @@ float3 ltc_horizon_point(float3 a, float3 b) {
   return float3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
 }
 
-// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
-// h: signed distance of its plane along its normal.
+// Five corners of a convex outline in its order, of which some may coincide.
+struct ltc_FiveCorners {
+  float3 first;  // shading space
+  float3 second; // see first
+  float3 third;  // see first
+  float3 fourth; // see first
+  float3 fifth;  // see first
+};
+
+// The same, from the second on.
+ltc_FiveCorners ltc_next_corner_first(ltc_FiveCorners corners) {
+  ltc_FiveCorners next;
+  next.first = corners.second;
+  next.second = corners.third;
+  next.third = corners.fourth;
+  next.fourth = corners.fifth;
+  next.fifth = corners.first;
+  return next;
+}
+
+// 2 pi times the vector irradiance of what they bound, which is above the horizon, shading space.
+float3 ltc_sum_corners(ltc_FiveCorners corners) {
+  ltc_FiveCorners left = corners;
+  float3 sum = float3(0.0, 0.0, 0.0);
+  float3 a = corners.fifth;
+  float inv_a = ltc_inverse_length(a);
+  for (int i = 0; i < 5; ++i) {
+    float3 b = left.first;
+    float inv_b = ltc_inverse_length(b);
+    sum = sum + ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return sum;
+}
+
+// The sum over a convex outline in cosine space, and where it crosses the cosine's horizon: at most once either way.
+struct ltc_ConvexSum {
+  float3 term;   // 2 pi times the vector irradiance, not yet closed
+  float3 enters; // where the outline comes up, unit
+  float3 leaves; // and where it goes down
+};
+
+// No edges yet.
+ltc_ConvexSum ltc_no_convex_edges() {
+  ltc_ConvexSum sum;
+  sum.term = float3(0.0, 0.0, 0.0);
+  sum.enters = float3(1.0, 0.0, 0.0);
+  sum.leaves = sum.enters;
+  return sum;
+}
+
+// The edge from a to b, cosine space, cut by its horizon without a branch: of an edge below it the length is 0. inv_a,
+// inv_b: 1 / their lengths.
+ltc_ConvexSum ltc_add_convex_edge(ltc_ConvexSum sum, float3 a, float3 b, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  float3 along = b - a;
+  float t = ltc_crossing_place(a.z, b.z);
+  float3 cut = float3(a.x + along.x * t, a.y + along.y * t, 0.0);
+  float inv_cut = ltc_inverse_length(cut);
+  float3 unit = cut * inv_cut;
+  float extent = a_up ? (b_up ? 1.0 : t) : (b_up ? 1.0 - t : 0.0);
+  ltc_ConvexSum next;
+  next.term = sum.term +
+              ltc_edge_term_scaled(a_up ? a : cut, b_up ? b : cut, along * extent,
+                                   a_up ? inv_a : inv_cut, b_up ? inv_b : inv_cut);
+  next.enters = b_up && !a_up ? unit : sum.enters;
+  next.leaves = a_up && !b_up ? unit : sum.leaves;
+  return next;
+}
+
+// The specular sum of a whole outline, closed along the cosine's horizon. way: negative where a positive angle about z
+// leads backwards; it holds whatever rounding makes of an angle near 0.
+float3 ltc_close_convex_outline(ltc_ConvexSum sum, float way) {
+  float3 a = sum.leaves;
+  float3 b = sum.enters;
+  float angle = abs(ltc_angle_of_unit(a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x));
+  return float3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
+}
+
+// sum_corners in cosine space. way: see close_convex_outline.
+float3 ltc_sum_corners_cosine(ltc_FiveCorners corners, ltc_Lobe lobe, float way) {
+  ltc_FiveCorners left = corners;
+  ltc_ConvexSum sum = ltc_no_convex_edges();
+  float3 a = ltc_to_cosine(lobe, corners.fifth);
+  float inv_a = ltc_inverse_length(a);
+  for (int i = 0; i < 5; ++i) {
+    float3 b = ltc_to_cosine(lobe, left.first);
+    float inv_b = ltc_inverse_length(b);
+    sum = ltc_add_convex_edge(sum, a, b, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return ltc_close_convex_outline(sum, way);
+}
+
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. h: signed
+// distance of its plane along its normal.
 ltc_EdgeSums ltc_sum_convex_quad(float3 corner0, float3 corner1, float3 corner2, float3 corner3,
-                                 float s, float h, ltc_Lobe lobe) {
+                                 float h, ltc_Lobe lobe) {
   float3 a = corner0;
   float3 b = corner1;
   float3 c = corner2;
@@ -1922,24 +1958,16 @@ ltc_EdgeSums ltc_sum_convex_quad(float3 corner0, float3 corner1, float3 corner2,
   float3 last = three ? c : (two ? b : a);
   float3 below = three ? d : (two ? c : b);
   float3 leaves = four ? d : ltc_horizon_point(last, below);
-  ltc_Corner p0 = ltc_corner_at(four ? d : ltc_horizon_point(d, a), lobe);
-  ltc_Corner p1 = ltc_corner_at(a, lobe);
-  float3 diffuse = ltc_whole_diffuse_term(p0, p1);
-  ltc_EdgeAbove specular = ltc_specular_edge(p0, p1, s);
-  ltc_Corner p2 = ltc_corner_at(two ? b : leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
-  ltc_Corner p3 = ltc_corner_at(three ? c : leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
-  ltc_Corner p4 = ltc_corner_at(leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
-  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  ltc_FiveCorners corners;
+  corners.first = a;
+  corners.second = two ? b : leaves;
+  corners.third = three ? c : leaves;
+  corners.fourth = leaves;
+  corners.fifth = four ? d : ltc_horizon_point(d, a);
   float3 none = float3(0.0, 0.0, 0.0);
   ltc_EdgeSums sums;
-  sums.diffuse = seen ? diffuse : none;
-  sums.specular = seen ? ltc_close_outline(specular, h * lobe.det) : none;
+  sums.diffuse = seen ? ltc_sum_corners(corners) : none;
+  sums.specular = seen ? ltc_sum_corners_cosine(corners, lobe, h * lobe.det) : none;
   sums.outline2 = 0.0;
   return sums;
 }
@@ -1958,8 +1986,7 @@ ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 position, ltc_Frame 
       return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, front);
     }
   }
-  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, h, lobe);
   float3 corners = ltc_safe_direction(ltc_to_cosine(lobe, a)) +
                    ltc_safe_direction(ltc_to_cosine(lobe, b)) +
                    ltc_safe_direction(ltc_to_cosine(lobe, c)) +
@@ -2007,10 +2034,14 @@ float3 ltc_small_part_term(float3 p, float area_height, ltc_Lobe lobe) {
 // both horizons: four parts, which have its area, centroid and second moments.
 float3 ltc_sum_small_polygon(ltc_SmallPolygon small, ltc_Lobe lobe) {
   float quarter = 0.25 * small.area_height;
-  return ltc_small_part_term(small.center + small.u, quarter, lobe) +
-         ltc_small_part_term(small.center - small.u, quarter, lobe) +
-         ltc_small_part_term(small.center + small.v, quarter, lobe) +
-         ltc_small_part_term(small.center - small.v, quarter, lobe);
+  float3 sum = float3(0.0, 0.0, 0.0);
+  float3 across = small.u;
+  for (int i = 0; i < 2; ++i) {
+    sum = sum + ltc_small_part_term(small.center + across, quarter, lobe) +
+          ltc_small_part_term(small.center - across, quarter, lobe);
+    across = small.v;
+  }
+  return sum;
 }
 
 // Square of the angular radius below which the small form begins, 0.05.
@@ -2321,19 +2352,21 @@ struct ltc_ConeSums {
 // in front of the plane with unit normal `front`.
 ltc_ConeSums ltc_sum_ellipse_cone(float3 center, float3 u, float3 v, ltc_Lobe lobe, float3 front,
                                   bool cut) {
-  float3 up = float3(0.0, 0.0, 1.0);
-  float3 up_o = ltc_horizon_normal_cosine(lobe);
-  ltc_Cone cone = ltc_make_cone(center, u, v);
-  ltc_Cone cone_o = ltc_make_cone(ltc_to_cosine(lobe, center), ltc_to_cosine(lobe, u),
-                                  ltc_to_cosine(lobe, v));
   ltc_ConeSums sums;
-  sums.outline2 = ltc_cone_outline2(cone_o);
-  if (cut) {
-    sums.diffuse = ltc_clipped_cone_in_front(cone, up, front);
-    sums.specular = ltc_clipped_cone_in_front(cone_o, up_o, ltc_plane_normal_cosine(lobe, front));
-  } else {
-    sums.diffuse = ltc_clipped_cone(cone, up);
-    sums.specular = ltc_clipped_cone(cone_o, up_o);
+  sums.specular = float3(0.0, 0.0, 0.0);
+  ltc_Lobe now = ltc_cosine_lobe();
+  for (int i = 0; i < 2; ++i) {
+    ltc_Cone cone = ltc_make_cone(ltc_to_cosine(now, center), ltc_to_cosine(now, u),
+                                  ltc_to_cosine(now, v));
+    float3 up = ltc_horizon_normal_cosine(now);
+    sums.diffuse = sums.specular;
+    sums.outline2 = ltc_cone_outline2(cone);
+    if (cut) {
+      sums.specular = ltc_clipped_cone_in_front(cone, up, ltc_plane_normal_cosine(now, front));
+    } else {
+      sums.specular = ltc_clipped_cone(cone, up);
+    }
+    now = lobe;
   }
   return sums;
 }
@@ -2750,12 +2783,45 @@ ltc_TubeView ltc_tube_view(ltc_Tube tube, float3 position, ltc_Frame frame) {
 
 // Which part of the outline of an end's cone bounds the tube.
 struct ltc_TubeEnd {
-  ltc_Cone cone; // of directions to the end, cosine space
-  ltc_Arc part;  // of its outline
-  float sign;    // -1: followed clockwise, 0: not at all
-  float3 left;   // where it meets the edges, on the cone, unit, cosine space
-  float3 right;  // and where it meets the other one
+  ltc_Cone cone;        // of directions to the end, cosine space
+  ltc_Arc part;         // of its outline
+  float sign;           // -1: followed clockwise, 0: not at all
+  float3 left;          // where it meets the edges, on the cone, unit, cosine space
+  float3 right;         // and where it meets the other one
+  float3 left_touched;  // where the planes through the point touch it there, cosine space
+  float3 right_touched; // and on the other side
 };
+
+// No end: sign 0.
+ltc_TubeEnd ltc_no_tube_end() {
+  float3 none = float3(0.0, 0.0, 0.0);
+  ltc_TubeEnd end;
+  end.cone.e1 = none;
+  end.cone.e2 = none;
+  end.cone.e3 = none;
+  end.cone.k1 = 0.0;
+  end.cone.k2 = 0.0;
+  end.cone.c1 = 1.0;
+  end.cone.c2 = 1.0;
+  end.part.start = 0.0;
+  end.part.extent = 0.0;
+  end.sign = 0.0;
+  end.left = none;
+  end.right = none;
+  end.left_touched = none;
+  end.right_touched = none;
+  return end;
+}
+
+// The same end with left and right exchanged: as the outline comes by on its way back.
+ltc_TubeEnd ltc_turned_end(ltc_TubeEnd end) {
+  ltc_TubeEnd turned = end;
+  turned.left = end.right;
+  turned.right = end.left;
+  turned.left_touched = end.right_touched;
+  turned.right_touched = end.left_touched;
+  return turned;
+}
 
 // One end. `center`, `away`: its centre and the unit direction out of it along the axis, shading
 // space; `first`: whether it is the one at Tube.from, through which the outline runs from right to
@@ -2772,8 +2838,10 @@ ltc_TubeEnd ltc_tube_end(ltc_Tube tube, ltc_TubeView view, float3 center, float3
   ltc_TubeEnd result;
   result.cone = ltc_make_cone(ltc_to_cosine(lobe, center), ltc_to_cosine(lobe, a),
                               ltc_to_cosine(lobe, b));
-  float left = ltc_outline_parameter(result.cone, ltc_to_cosine(lobe, center + view.left));
-  float right = ltc_outline_parameter(result.cone, ltc_to_cosine(lobe, center + view.right));
+  result.left_touched = ltc_to_cosine(lobe, center + view.left);
+  result.right_touched = ltc_to_cosine(lobe, center + view.right);
+  float left = ltc_outline_parameter(result.cone, result.left_touched);
+  float right = ltc_outline_parameter(result.cone, result.right_touched);
   result.left = ltc_cone_direction(result.cone, left);
   result.right = ltc_cone_direction(result.cone, right);
   // An open end that one looks into: the other arc, backwards.
@@ -2827,6 +2895,51 @@ bool ltc_sees_end(ltc_Tube tube, float3 center, float along) {
          (!ltc_has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
 }
 
+// Both ends of a tube.
+struct ltc_TubeEnds {
+  ltc_TubeEnd first;  // at Tube.from
+  ltc_TubeEnd second; // at Tube.to
+};
+
+// Those of a tube in the space that `lobe` leads to; see_from, see_to: see tube_end's `whole`.
+ltc_TubeEnds ltc_tube_ends(ltc_Tube tube, ltc_TubeView view, bool see_from, bool see_to,
+                           ltc_Lobe lobe) {
+  ltc_TubeEnds ends;
+  ends.second = ltc_no_tube_end();
+  for (int i = 0; i < 2; ++i) {
+    bool first = i == 0;
+    ends.first = ends.second;
+    ends.second = ltc_tube_end(tube, view, first ? view.from : view.to,
+                               first ? -view.axis : view.axis, first, first ? see_from : see_to,
+                               lobe);
+  }
+  return ends;
+}
+
+// One end after the other, along the outline: that one first, and left what was right.
+ltc_TubeEnds ltc_turned_ends(ltc_TubeEnds ends) {
+  ltc_TubeEnds turned;
+  turned.first = ltc_turned_end(ends.second);
+  turned.second = ltc_turned_end(ends.first);
+  return turned;
+}
+
+// Some point where the outline crosses the plane with unit normal `front`, if it does. inside: a point within the
+// end that one sees who is not beside the tube; beside: 1 or 0.
+float3 ltc_tube_crossing(ltc_TubeEnds ends, bool beside, float3 inside, float3 front) {
+  ltc_TubeEnds now = ends;
+  float3 q = beside ? ends.first.left : inside;
+  for (int i = 0; i < 2; ++i) {
+    q = now.first.sign != 0.0 ? ltc_arc_crossing(now.first.cone, now.first.part, front, q) : q;
+    now = ltc_turned_ends(now);
+  }
+  for (int i = 0; i < 2; ++i) {
+    q = beside ? ltc_edge_crossing(now.first.left, now.second.left, front, q) : q;
+    now = ltc_turned_ends(now);
+  }
+  return q;
+}
+
 // Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
 // `cut`, of its part in front of the plane with unit normal `front` (that space).
 float3 ltc_sum_tube_outline(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe, float3 front,
@@ -2834,57 +2947,52 @@ float3 ltc_sum_tube_outline(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe, flo
   // Not beside the tube: in front of one of its ends.
   bool see_from = ltc_sees_end(tube, view.from, dot(view.from, view.axis));
   bool see_to = ltc_sees_end(tube, view.to, -dot(view.to, view.axis));
-
-  ltc_TubeEnd first = ltc_tube_end(tube, view, view.from, -view.axis, true, see_from, lobe);
-  ltc_TubeEnd second = ltc_tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
-
-  float3 from_left_o = ltc_to_cosine(lobe, view.from + view.left);
-  float3 from_right_o = ltc_to_cosine(lobe, view.from + view.right);
-  float3 to_left_o = ltc_to_cosine(lobe, view.to + view.left);
-  float3 to_right_o = ltc_to_cosine(lobe, view.to + view.right);
+  ltc_TubeEnds ends = ltc_tube_ends(tube, view, see_from, see_to, lobe);
   float edges = view.beside ? 1.0 : 0.0;
   float3 up = ltc_horizon_normal_cosine(lobe);
-  bool whole = ltc_cone_is_above(first.cone, up) && ltc_cone_is_above(second.cone, up);
+  bool whole = ltc_cone_is_above(ends.first.cone, up) && ltc_cone_is_above(ends.second.cone, up);
   if (cut) {
-    whole = whole && ltc_cone_is_above(first.cone, front) && ltc_cone_is_above(second.cone, front);
-  }
-  float3 all = ltc_edge_term(from_left_o, to_left_o, to_left_o - from_left_o) * edges +
-               ltc_edge_term(to_right_o, from_right_o, from_right_o - to_right_o) * edges +
-               ltc_arc_term(first.cone, first.part) * first.sign +
-               ltc_arc_term(second.cone, second.part) * second.sign;
-  // Uniform shortcut: no lane needs to clip.
-  if (whole) {
-    return all;
+    whole = whole && ltc_cone_is_above(ends.first.cone, front) &&
+            ltc_cone_is_above(ends.second.cone, front);
   }
   // The apex is on the side where the y axis comes closest to the tube's line: if it meets the tube,
   // it does so around there. A point that is not beside the tube sees one end alone.
   float along = -(view.from.x * view.axis.x + view.from.z * view.axis.z) /
                 max(view.axis.x * view.axis.x + view.axis.z * view.axis.z, 1.0e-12);
-  float y_end = see_from ? first.cone.e3.y : second.cone.e3.y;
-  float y = view.beside ? view.from.y + view.axis.y * along : y_end;
+  float3 inside = see_from ? ends.first.cone.e3 : ends.second.cone.e3;
+  float y = view.beside ? view.from.y + view.axis.y * along : inside.y;
   float s = y < 0.0 ? -1.0 : 1.0;
-  // Edges run between the very points where the arcs end, so that all is one closed outline.
-  float3 a = first.left;
-  float3 b = second.left;
-  float3 c = second.right;
-  float3 d = first.right;
+  // Uniform shortcut: no lane needs to clip.
+  bool clip = !whole;
+  float3 q = inside;
   if (cut) {
-    // Some point where the outline crosses the plane, if it does.
-    float3 q = view.beside ? a : (see_from ? first.cone.e3 : second.cone.e3);
-    q = first.sign != 0.0 ? ltc_arc_crossing(first.cone, first.part, front, q) : q;
-    q = second.sign != 0.0 ? ltc_arc_crossing(second.cone, second.part, front, q) : q;
-    q = view.beside ? ltc_edge_crossing(a, b, front, q) : q;
-    q = view.beside ? ltc_edge_crossing(c, d, front, q) : q;
-    float3 part = ltc_edge_in_front(a, b, q, up, front, s) * edges +
-                  ltc_edge_in_front(c, d, q, up, front, s) * edges +
-                  ltc_arc_in_front(first.cone, first.part, q, up, front, s) * first.sign +
-                  ltc_arc_in_front(second.cone, second.part, q, up, front, s) * second.sign;
-    return whole ? all : part;
+    if (clip) {
+      q = ltc_tube_crossing(ends, view.beside, inside, front);
+    }
   }
-  float3 clipped = ltc_closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
-                   ltc_closed_edge_term(c, d, dot(up, c), dot(up, d), s) * edges +
-                   ltc_clipped_arc_term(first.cone, first.part, up, s) * first.sign +
-                   ltc_clipped_arc_term(second.cone, second.part, up, s) * second.sign;
+  float3 all = float3(0.0, 0.0, 0.0);
+  float3 clipped = all;
+  // The edge from one end to the other and the arc around the one, then back again.
+  for (int i = 0; i < 2; ++i) {
+    float3 a = ends.first.left_touched;
+    float3 b = ends.second.left_touched;
+    all = all + ltc_edge_term(a, b, b - a) * edges +
+          ltc_arc_term(ends.first.cone, ends.first.part) * ends.first.sign;
+    if (clip) {
+      // Between the very points where the arcs end, so that all is one closed outline.
+      a = ends.first.left;
+      b = ends.second.left;
+      if (cut) {
+        clipped = clipped + ltc_edge_in_front(a, b, q, up, front, s) * edges +
+                  ltc_arc_in_front(ends.first.cone, ends.first.part, q, up, front, s) *
+                  ends.first.sign;
+      } else {
+        clipped = clipped + ltc_closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
+                  ltc_clipped_arc_term(ends.first.cone, ends.first.part, up, s) * ends.first.sign;
+      }
+    }
+    ends = ltc_turned_ends(ends);
+  }
   return whole ? all : clipped;
 }
 
@@ -2989,9 +3097,15 @@ ltc_LightIntegral ltc_integrate_tube_part(ltc_Tube tube, float3 position, ltc_Fr
                                           bool cut) {
   ltc_TubeView view = ltc_tube_view(tube, position, frame);
   float seen = ltc_tube_seen_above(tube, view);
-  return ltc_light_integral(ltc_sum_tube(tube, view, ltc_cosine_lobe(), front, heights, cut) * seen,
-                            ltc_sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
-                            ltc_tube_outline2(tube, view, lobe));
+  float3 diffuse = float3(0.0, 0.0, 0.0);
+  float3 specular = diffuse;
+  ltc_Lobe now = ltc_cosine_lobe();
+  for (int i = 0; i < 2; ++i) {
+    diffuse = specular;
+    specular = ltc_sum_tube(tube, view, now, front, heights, cut) * seen;
+    now = lobe;
+  }
+  return ltc_light_integral(diffuse, specular, lobe, ltc_tube_outline2(tube, view, lobe));
 }
 
 // ---- tube surface -------------------------------------------------------------------------------

@@ -693,12 +693,12 @@ fn ltc_any_over_sin(x: f32, sin2: f32, acute: f32) -> f32 {
 
 // theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
 fn ltc_theta_over_sin(x: f32, sin2: f32) -> f32 {
-  let acute = ltc_acute_over_sin(x);
+  var weight = ltc_acute_over_sin(x);
   // Uniform shortcut: no lane's angle is beyond a right one.
-  if (!(x < 0.0)) {
-    return acute;
+  if (x < 0.0) {
+    weight = ltc_any_over_sin(x, sin2, weight);
   }
-  return ltc_any_over_sin(x, sin2, acute);
+  return weight;
 }
 
 // Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
@@ -785,54 +785,6 @@ fn ltc_angle_of_unit(c: f32, s: f32) -> f32 {
   let acute = s * ltc_acute_over_sin(c);
   let half_turn = select(ltc_k_pi, -ltc_k_pi, s < 0.0);
   return select(acute, half_turn - acute, c < 0.0);
-}
-
-// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
-// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
-// counts as it is.
-struct ltc_EdgeAbove {
-  term: vec3f,   // its contribution to the vector irradiance, times 2 pi
-  turn_cos: f32, // 1 where nothing was cut
-  turn_sin: f32, // 0 where nothing was cut
-}
-
-// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-fn ltc_edge_above(a: vec3f, b: vec3f, s: f32, inv_a: f32, inv_b: f32) -> ltc_EdgeAbove {
-  let a_up = a.z >= 0.0;
-  let b_up = b.z >= 0.0;
-  let d = b - a;
-  let t = ltc_crossing_place(a.z, b.z);
-  let q = vec3f(a.x + d.x * t, a.y + d.y * t, 0.0);
-  let inv_q = ltc_inverse_length(q);
-  let extent = select(1.0 - t, select(t, 1.0, b_up), a_up);
-  var edge: ltc_EdgeAbove;
-  edge.term = ltc_edge_term_scaled(select(q, a, a_up), select(q, b, b_up), d * extent,
-                                   select(inv_q, inv_a, a_up), select(inv_q, inv_b, b_up));
-  edge.term = select(vec3f(0.0, 0.0, 0.0), edge.term, a_up || b_up);
-  let leaves = a_up && !b_up;
-  let enters = b_up && !a_up;
-  let inv_s = inv_q * s;
-  let x = q.x * inv_s;
-  edge.turn_cos = select(1.0, q.y * inv_s, leaves || enters);
-  edge.turn_sin = select(select(0.0, -x, enters), x, leaves);
-  return edge;
-}
-
-// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
-// other.
-fn ltc_join_edges(a: ltc_EdgeAbove, b: ltc_EdgeAbove) -> ltc_EdgeAbove {
-  var sum: ltc_EdgeAbove;
-  sum.term = a.term + b.term;
-  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
-  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
-  return sum;
-}
-
-// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
-// about z leads backwards; it holds whatever rounding makes of an angle near 0.
-fn ltc_close_outline(sum: ltc_EdgeAbove, way: f32) -> vec3f {
-  let angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
-  return vec3f(sum.term.x, sum.term.y, sum.term.z + select(angle, -angle, way < 0.0));
 }
 
 // The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own
@@ -1415,12 +1367,11 @@ fn ltc_wrapped_turn(angle: f32) -> f32 {
   return select(a - turn, a, a < turn);
 }
 
-// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z,
-// and closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the
-// vector irradiance. Ends that other edges continue from cancel with those.
-fn ltc_clipped_arc_term(cone: ltc_Cone, part: ltc_Arc, up: vec3f, s: f32) -> vec3f {
-  let surface = ltc_arc_above(cone, up);
-  let cosine = ltc_arc_above(cone, vec3f(0.0, 0.0, 1.0));
+// What the arcs `part`, `surface` and `cosine` of an outline have in common, the latter two being what is above each
+// horizon, closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the vector
+// irradiance.
+fn ltc_common_arc_term(cone: ltc_Cone, part: ltc_Arc, surface: ltc_Arc, cosine: ltc_Arc,
+                       s: f32) -> vec3f {
   let turn = 2.0 * ltc_k_pi;
   let x1 = select(ltc_wrapped_turn(surface.start - part.start), 0.0,
                   surface.extent > ltc_k_full_turn);
@@ -1436,16 +1387,29 @@ fn ltc_clipped_arc_term(cone: ltc_Cone, part: ltc_Arc, up: vec3f, s: f32) -> vec
       let high = min(min(a + surface.extent, b + cosine.extent), part.extent);
       let some = high > low;
       if (some) {
-        let from_ = ltc_cone_point(cone, part.start + low);
-        let to = ltc_cone_point(cone, part.start + high);
-        sum = sum + (to.sum - from_.sum);
-        ends = ends +
-               (ltc_apex_term(to.direction, ltc_inverse_length(to.direction), s) -
-                ltc_apex_term(from_.direction, ltc_inverse_length(from_.direction), s));
+        // Its end, then its beginning.
+        var t = high;
+        var sign = 1.0;
+        for (var end = 0; end < 2; end++) {
+          let point = ltc_cone_point(cone, part.start + t);
+          let counts = sign;
+          sum = sum + point.sum * counts;
+          ends = ends +
+                 ltc_apex_term(point.direction, ltc_inverse_length(point.direction), s) * counts;
+          t = low;
+          sign = -1.0;
+        }
       }
     }
   }
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z + ends;
+}
+
+// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z, and closed as
+// above. Ends that other edges continue from cancel with those.
+fn ltc_clipped_arc_term(cone: ltc_Cone, part: ltc_Arc, up: vec3f, s: f32) -> vec3f {
+  return ltc_common_arc_term(cone, part, ltc_arc_above(cone, up),
+                             ltc_arc_above(cone, vec3f(0.0, 0.0, 1.0)), s);
 }
 
 // Whether a cone lies wholly above the planes with unit normals `up` and z: the axis' height over
@@ -1483,7 +1447,7 @@ fn ltc_clipped_cone(cone: ltc_Cone, up: vec3f) -> vec3f {
   part.start = select(surface.start, cosine.start, surface.extent > ltc_k_full_turn);
   part.extent = 2.0 * ltc_k_pi;
   let s = select(1.0, -1.0, cone.e3.y < 0.0);
-  return select(ltc_clipped_arc_term(cone, part, up, s), all, whole);
+  return select(ltc_common_arc_term(cone, part, surface, cosine, s), all, whole);
 }
 
 // Parameter of the outline at a direction on it, -pi..pi.
@@ -1503,8 +1467,14 @@ fn ltc_outline_parameter(cone: ltc_Cone, direction: vec3f) -> f32 {
 
 // Share of the outline's arc `part` in 2 pi times the vector irradiance, without horizons.
 fn ltc_arc_term(cone: ltc_Cone, part: ltc_Arc) -> vec3f {
-  let sum = ltc_cone_point(cone, part.start + part.extent).sum -
-            ltc_cone_point(cone, part.start).sum;
+  var sum = vec3f(0.0, 0.0, 0.0);
+  var t = part.start + part.extent;
+  var sign = 1.0;
+  for (var end = 0; end < 2; end++) {
+    sum = sum + ltc_cone_point(cone, t).sum * sign;
+    t = part.start;
+    sign = -1.0;
+  }
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z;
 }
 
@@ -1640,43 +1610,11 @@ fn ltc_arc_crossing(cone: ltc_Cone, part: ltc_Arc, front: vec3f, otherwise: vec3
 //
 // Source: the edge sum of edge.glsl.
 
-// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
-// normal, meets the y axis.
-fn ltc_apex_side(normal_y: f32, h: f32) -> f32 { return select(1.0, -1.0, normal_y * h < 0.0); }
-
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   diffuse: vec3f,  // 2 pi times the vector irradiance of the clipped polygon in shading space
   specular: vec3f, // the same in cosine space
   outline2: f32,   // square of the mean of the unit vectors to its corners, cosine space
-}
-
-// A corner of an outline as a point sees it.
-struct ltc_Corner {
-  p: vec3f,   // shading space
-  o: vec3f,   // cosine space
-  inv_p: f32, // 1 / length
-  inv_o: f32, // 1 / length
-}
-
-// The corner at p of shading space.
-fn ltc_corner_at(p: vec3f, lobe: ltc_Lobe) -> ltc_Corner {
-  var corner: ltc_Corner;
-  corner.p = p;
-  corner.o = ltc_to_cosine(lobe, p);
-  corner.inv_p = ltc_inverse_length(corner.p);
-  corner.inv_o = ltc_inverse_length(corner.o);
-  return corner;
-}
-
-// And above the surface's horizon, clipped to the cosine's, not yet closed.
-fn ltc_specular_edge(a: ltc_Corner, b: ltc_Corner, s: f32) -> ltc_EdgeAbove {
-  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
-}
-
-// The same of an edge above both horizons.
-fn ltc_whole_diffuse_term(a: ltc_Corner, b: ltc_Corner) -> vec3f {
-  return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
 }
 
 // Square of the length of a mean, from the sum and the number of its parts.
@@ -1903,10 +1841,110 @@ fn ltc_horizon_point(a: vec3f, b: vec3f) -> vec3f {
   return vec3f(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
 }
 
-// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
-// h: signed distance of its plane along its normal.
-fn ltc_sum_convex_quad(corner0: vec3f, corner1: vec3f, corner2: vec3f, corner3: vec3f, s: f32,
-                       h: f32, lobe: ltc_Lobe) -> ltc_EdgeSums {
+// Five corners of a convex outline in its order, of which some may coincide.
+struct ltc_FiveCorners {
+  first: vec3f,  // shading space
+  second: vec3f, // see first
+  third: vec3f,  // see first
+  fourth: vec3f, // see first
+  fifth: vec3f,  // see first
+}
+
+// The same, from the second on.
+fn ltc_next_corner_first(corners: ltc_FiveCorners) -> ltc_FiveCorners {
+  var next: ltc_FiveCorners;
+  next.first = corners.second;
+  next.second = corners.third;
+  next.third = corners.fourth;
+  next.fourth = corners.fifth;
+  next.fifth = corners.first;
+  return next;
+}
+
+// 2 pi times the vector irradiance of what they bound, which is above the horizon, shading space.
+fn ltc_sum_corners(corners: ltc_FiveCorners) -> vec3f {
+  var left = corners;
+  var sum = vec3f(0.0, 0.0, 0.0);
+  var a = corners.fifth;
+  var inv_a = ltc_inverse_length(a);
+  for (var i = 0; i < 5; i++) {
+    let b = left.first;
+    let inv_b = ltc_inverse_length(b);
+    sum = sum + ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return sum;
+}
+
+// The sum over a convex outline in cosine space, and where it crosses the cosine's horizon: at most once either way.
+struct ltc_ConvexSum {
+  term: vec3f,   // 2 pi times the vector irradiance, not yet closed
+  enters: vec3f, // where the outline comes up, unit
+  leaves: vec3f, // and where it goes down
+}
+
+// No edges yet.
+fn ltc_no_convex_edges() -> ltc_ConvexSum {
+  var sum: ltc_ConvexSum;
+  sum.term = vec3f(0.0, 0.0, 0.0);
+  sum.enters = vec3f(1.0, 0.0, 0.0);
+  sum.leaves = sum.enters;
+  return sum;
+}
+
+// The edge from a to b, cosine space, cut by its horizon without a branch: of an edge below it the length is 0. inv_a,
+// inv_b: 1 / their lengths.
+fn ltc_add_convex_edge(sum: ltc_ConvexSum, a: vec3f, b: vec3f, inv_a: f32,
+                       inv_b: f32) -> ltc_ConvexSum {
+  let a_up = a.z >= 0.0;
+  let b_up = b.z >= 0.0;
+  let along = b - a;
+  let t = ltc_crossing_place(a.z, b.z);
+  let cut = vec3f(a.x + along.x * t, a.y + along.y * t, 0.0);
+  let inv_cut = ltc_inverse_length(cut);
+  let unit = cut * inv_cut;
+  let extent = select(select(0.0, 1.0 - t, b_up), select(t, 1.0, b_up), a_up);
+  var next: ltc_ConvexSum;
+  next.term = sum.term +
+              ltc_edge_term_scaled(select(cut, a, a_up), select(cut, b, b_up), along * extent,
+                                   select(inv_cut, inv_a, a_up), select(inv_cut, inv_b, b_up));
+  next.enters = select(sum.enters, unit, b_up && !a_up);
+  next.leaves = select(sum.leaves, unit, a_up && !b_up);
+  return next;
+}
+
+// The specular sum of a whole outline, closed along the cosine's horizon. way: negative where a positive angle about z
+// leads backwards; it holds whatever rounding makes of an angle near 0.
+fn ltc_close_convex_outline(sum: ltc_ConvexSum, way: f32) -> vec3f {
+  let a = sum.leaves;
+  let b = sum.enters;
+  let angle = abs(ltc_angle_of_unit(a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x));
+  return vec3f(sum.term.x, sum.term.y, sum.term.z + select(angle, -angle, way < 0.0));
+}
+
+// sum_corners in cosine space. way: see close_convex_outline.
+fn ltc_sum_corners_cosine(corners: ltc_FiveCorners, lobe: ltc_Lobe, way: f32) -> vec3f {
+  var left = corners;
+  var sum = ltc_no_convex_edges();
+  var a = ltc_to_cosine(lobe, corners.fifth);
+  var inv_a = ltc_inverse_length(a);
+  for (var i = 0; i < 5; i++) {
+    let b = ltc_to_cosine(lobe, left.first);
+    let inv_b = ltc_inverse_length(b);
+    sum = ltc_add_convex_edge(sum, a, b, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return ltc_close_convex_outline(sum, way);
+}
+
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. h: signed
+// distance of its plane along its normal.
+fn ltc_sum_convex_quad(corner0: vec3f, corner1: vec3f, corner2: vec3f, corner3: vec3f, h: f32,
+                       lobe: ltc_Lobe) -> ltc_EdgeSums {
   var a = corner0;
   var b = corner1;
   var c = corner2;
@@ -1927,24 +1965,16 @@ fn ltc_sum_convex_quad(corner0: vec3f, corner1: vec3f, corner2: vec3f, corner3: 
   let last = select(select(a, b, two), c, three);
   let below = select(select(b, c, two), d, three);
   let leaves = select(ltc_horizon_point(last, below), d, four);
-  let p0 = ltc_corner_at(select(ltc_horizon_point(d, a), d, four), lobe);
-  let p1 = ltc_corner_at(a, lobe);
-  var diffuse = ltc_whole_diffuse_term(p0, p1);
-  var specular = ltc_specular_edge(p0, p1, s);
-  let p2 = ltc_corner_at(select(leaves, b, two), lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
-  let p3 = ltc_corner_at(select(leaves, c, three), lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
-  let p4 = ltc_corner_at(leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
-  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  var corners: ltc_FiveCorners;
+  corners.first = a;
+  corners.second = select(leaves, b, two);
+  corners.third = select(leaves, c, three);
+  corners.fourth = leaves;
+  corners.fifth = select(ltc_horizon_point(d, a), d, four);
   let none = vec3f(0.0, 0.0, 0.0);
   var sums: ltc_EdgeSums;
-  sums.diffuse = select(none, diffuse, seen);
-  sums.specular = select(none, ltc_close_outline(specular, h * lobe.det), seen);
+  sums.diffuse = select(none, ltc_sum_corners(corners), seen);
+  sums.specular = select(none, ltc_sum_corners_cosine(corners, lobe, h * lobe.det), seen);
   sums.outline2 = 0.0;
   return sums;
 }
@@ -1963,8 +1993,7 @@ fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, l
       return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, front);
     }
   }
-  let s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  var sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  var sums = ltc_sum_convex_quad(a, b, c, d, h, lobe);
   let corners = ltc_safe_direction(ltc_to_cosine(lobe, a)) +
                 ltc_safe_direction(ltc_to_cosine(lobe, b)) +
                 ltc_safe_direction(ltc_to_cosine(lobe, c)) +
@@ -2012,10 +2041,14 @@ fn ltc_small_part_term(p: vec3f, area_height: f32, lobe: ltc_Lobe) -> vec3f {
 // both horizons: four parts, which have its area, centroid and second moments.
 fn ltc_sum_small_polygon(small: ltc_SmallPolygon, lobe: ltc_Lobe) -> vec3f {
   let quarter = 0.25 * small.area_height;
-  return ltc_small_part_term(small.center + small.u, quarter, lobe) +
-         ltc_small_part_term(small.center - small.u, quarter, lobe) +
-         ltc_small_part_term(small.center + small.v, quarter, lobe) +
-         ltc_small_part_term(small.center - small.v, quarter, lobe);
+  var sum = vec3f(0.0, 0.0, 0.0);
+  var across = small.u;
+  for (var i = 0; i < 2; i++) {
+    sum = sum + ltc_small_part_term(small.center + across, quarter, lobe) +
+          ltc_small_part_term(small.center - across, quarter, lobe);
+    across = small.v;
+  }
+  return sum;
 }
 
 // Square of the angular radius below which the small form begins, 0.05.
@@ -2327,19 +2360,21 @@ struct ltc_ConeSums {
 // in front of the plane with unit normal `front`.
 fn ltc_sum_ellipse_cone(center: vec3f, u: vec3f, v: vec3f, lobe: ltc_Lobe, front: vec3f,
                         cut: bool) -> ltc_ConeSums {
-  let up = vec3f(0.0, 0.0, 1.0);
-  let up_o = ltc_horizon_normal_cosine(lobe);
-  let cone = ltc_make_cone(center, u, v);
-  let cone_o = ltc_make_cone(ltc_to_cosine(lobe, center), ltc_to_cosine(lobe, u),
-                             ltc_to_cosine(lobe, v));
   var sums: ltc_ConeSums;
-  sums.outline2 = ltc_cone_outline2(cone_o);
-  if (cut) {
-    sums.diffuse = ltc_clipped_cone_in_front(cone, up, front);
-    sums.specular = ltc_clipped_cone_in_front(cone_o, up_o, ltc_plane_normal_cosine(lobe, front));
-  } else {
-    sums.diffuse = ltc_clipped_cone(cone, up);
-    sums.specular = ltc_clipped_cone(cone_o, up_o);
+  sums.specular = vec3f(0.0, 0.0, 0.0);
+  var now = ltc_cosine_lobe();
+  for (var i = 0; i < 2; i++) {
+    let cone = ltc_make_cone(ltc_to_cosine(now, center), ltc_to_cosine(now, u),
+                             ltc_to_cosine(now, v));
+    let up = ltc_horizon_normal_cosine(now);
+    sums.diffuse = sums.specular;
+    sums.outline2 = ltc_cone_outline2(cone);
+    if (cut) {
+      sums.specular = ltc_clipped_cone_in_front(cone, up, ltc_plane_normal_cosine(now, front));
+    } else {
+      sums.specular = ltc_clipped_cone(cone, up);
+    }
+    now = lobe;
   }
   return sums;
 }
@@ -2758,11 +2793,44 @@ fn ltc_tube_view(tube: ltc_Tube, position: vec3f, frame: ltc_Frame) -> ltc_TubeV
 
 // Which part of the outline of an end's cone bounds the tube.
 struct ltc_TubeEnd {
-  cone: ltc_Cone, // of directions to the end, cosine space
-  part: ltc_Arc,  // of its outline
-  sign: f32,      // -1: followed clockwise, 0: not at all
-  left: vec3f,    // where it meets the edges, on the cone, unit, cosine space
-  right: vec3f,   // and where it meets the other one
+  cone: ltc_Cone,       // of directions to the end, cosine space
+  part: ltc_Arc,        // of its outline
+  sign: f32,            // -1: followed clockwise, 0: not at all
+  left: vec3f,          // where it meets the edges, on the cone, unit, cosine space
+  right: vec3f,         // and where it meets the other one
+  left_touched: vec3f,  // where the planes through the point touch it there, cosine space
+  right_touched: vec3f, // and on the other side
+}
+
+// No end: sign 0.
+fn ltc_no_tube_end() -> ltc_TubeEnd {
+  let none = vec3f(0.0, 0.0, 0.0);
+  var end: ltc_TubeEnd;
+  end.cone.e1 = none;
+  end.cone.e2 = none;
+  end.cone.e3 = none;
+  end.cone.k1 = 0.0;
+  end.cone.k2 = 0.0;
+  end.cone.c1 = 1.0;
+  end.cone.c2 = 1.0;
+  end.part.start = 0.0;
+  end.part.extent = 0.0;
+  end.sign = 0.0;
+  end.left = none;
+  end.right = none;
+  end.left_touched = none;
+  end.right_touched = none;
+  return end;
+}
+
+// The same end with left and right exchanged: as the outline comes by on its way back.
+fn ltc_turned_end(end: ltc_TubeEnd) -> ltc_TubeEnd {
+  var turned = end;
+  turned.left = end.right;
+  turned.right = end.left;
+  turned.left_touched = end.right_touched;
+  turned.right_touched = end.left_touched;
+  return turned;
 }
 
 // One end. `center`, `away`: its centre and the unit direction out of it along the axis, shading
@@ -2780,8 +2848,10 @@ fn ltc_tube_end(tube: ltc_Tube, view: ltc_TubeView, center: vec3f, away: vec3f, 
   var result: ltc_TubeEnd;
   result.cone = ltc_make_cone(ltc_to_cosine(lobe, center), ltc_to_cosine(lobe, a),
                               ltc_to_cosine(lobe, b));
-  let left = ltc_outline_parameter(result.cone, ltc_to_cosine(lobe, center + view.left));
-  let right = ltc_outline_parameter(result.cone, ltc_to_cosine(lobe, center + view.right));
+  result.left_touched = ltc_to_cosine(lobe, center + view.left);
+  result.right_touched = ltc_to_cosine(lobe, center + view.right);
+  let left = ltc_outline_parameter(result.cone, result.left_touched);
+  let right = ltc_outline_parameter(result.cone, result.right_touched);
   result.left = ltc_cone_direction(result.cone, left);
   result.right = ltc_cone_direction(result.cone, right);
   // An open end that one looks into: the other arc, backwards.
@@ -2835,6 +2905,51 @@ fn ltc_sees_end(tube: ltc_Tube, center: vec3f, along: f32) -> bool {
          (!ltc_has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
 }
 
+// Both ends of a tube.
+struct ltc_TubeEnds {
+  first: ltc_TubeEnd,  // at Tube.from
+  second: ltc_TubeEnd, // at Tube.to
+}
+
+// Those of a tube in the space that `lobe` leads to; see_from, see_to: see tube_end's `whole`.
+fn ltc_tube_ends(tube: ltc_Tube, view: ltc_TubeView, see_from: bool, see_to: bool,
+                 lobe: ltc_Lobe) -> ltc_TubeEnds {
+  var ends: ltc_TubeEnds;
+  ends.second = ltc_no_tube_end();
+  for (var i = 0; i < 2; i++) {
+    let first = i == 0;
+    ends.first = ends.second;
+    ends.second = ltc_tube_end(tube, view, select(view.to, view.from_, first),
+                               select(view.axis, -view.axis, first), first,
+                               select(see_to, see_from, first), lobe);
+  }
+  return ends;
+}
+
+// One end after the other, along the outline: that one first, and left what was right.
+fn ltc_turned_ends(ends: ltc_TubeEnds) -> ltc_TubeEnds {
+  var turned: ltc_TubeEnds;
+  turned.first = ltc_turned_end(ends.second);
+  turned.second = ltc_turned_end(ends.first);
+  return turned;
+}
+
+// Some point where the outline crosses the plane with unit normal `front`, if it does. inside: a point within the
+// end that one sees who is not beside the tube; beside: 1 or 0.
+fn ltc_tube_crossing(ends: ltc_TubeEnds, beside: bool, inside: vec3f, front: vec3f) -> vec3f {
+  var now = ends;
+  var q = select(inside, ends.first.left, beside);
+  for (var i = 0; i < 2; i++) {
+    q = select(q, ltc_arc_crossing(now.first.cone, now.first.part, front, q), now.first.sign != 0.0);
+    now = ltc_turned_ends(now);
+  }
+  for (var i = 0; i < 2; i++) {
+    q = select(q, ltc_edge_crossing(now.first.left, now.second.left, front, q), beside);
+    now = ltc_turned_ends(now);
+  }
+  return q;
+}
+
 // Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
 // `cut`, of its part in front of the plane with unit normal `front` (that space).
 fn ltc_sum_tube_outline(tube: ltc_Tube, view: ltc_TubeView, lobe: ltc_Lobe, front: vec3f,
@@ -2842,57 +2957,52 @@ fn ltc_sum_tube_outline(tube: ltc_Tube, view: ltc_TubeView, lobe: ltc_Lobe, fron
   // Not beside the tube: in front of one of its ends.
   let see_from = ltc_sees_end(tube, view.from_, dot(view.from_, view.axis));
   let see_to = ltc_sees_end(tube, view.to, -dot(view.to, view.axis));
-
-  let first = ltc_tube_end(tube, view, view.from_, -view.axis, true, see_from, lobe);
-  let second = ltc_tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
-
-  let from_left_o = ltc_to_cosine(lobe, view.from_ + view.left);
-  let from_right_o = ltc_to_cosine(lobe, view.from_ + view.right);
-  let to_left_o = ltc_to_cosine(lobe, view.to + view.left);
-  let to_right_o = ltc_to_cosine(lobe, view.to + view.right);
+  var ends = ltc_tube_ends(tube, view, see_from, see_to, lobe);
   let edges = select(0.0, 1.0, view.beside);
   let up = ltc_horizon_normal_cosine(lobe);
-  var whole = ltc_cone_is_above(first.cone, up) && ltc_cone_is_above(second.cone, up);
+  var whole = ltc_cone_is_above(ends.first.cone, up) && ltc_cone_is_above(ends.second.cone, up);
   if (cut) {
-    whole = whole && ltc_cone_is_above(first.cone, front) && ltc_cone_is_above(second.cone, front);
-  }
-  let all = ltc_edge_term(from_left_o, to_left_o, to_left_o - from_left_o) * edges +
-            ltc_edge_term(to_right_o, from_right_o, from_right_o - to_right_o) * edges +
-            ltc_arc_term(first.cone, first.part) * first.sign +
-            ltc_arc_term(second.cone, second.part) * second.sign;
-  // Uniform shortcut: no lane needs to clip.
-  if (whole) {
-    return all;
+    whole = whole && ltc_cone_is_above(ends.first.cone, front) &&
+            ltc_cone_is_above(ends.second.cone, front);
   }
   // The apex is on the side where the y axis comes closest to the tube's line: if it meets the tube,
   // it does so around there. A point that is not beside the tube sees one end alone.
   let along = -(view.from_.x * view.axis.x + view.from_.z * view.axis.z) /
               max(view.axis.x * view.axis.x + view.axis.z * view.axis.z, 1.0e-12);
-  let y_end = select(second.cone.e3.y, first.cone.e3.y, see_from);
-  let y = select(y_end, view.from_.y + view.axis.y * along, view.beside);
+  let inside = select(ends.second.cone.e3, ends.first.cone.e3, see_from);
+  let y = select(inside.y, view.from_.y + view.axis.y * along, view.beside);
   let s = select(1.0, -1.0, y < 0.0);
-  // Edges run between the very points where the arcs end, so that all is one closed outline.
-  let a = first.left;
-  let b = second.left;
-  let c = second.right;
-  let d = first.right;
+  // Uniform shortcut: no lane needs to clip.
+  let clip = !whole;
+  var q = inside;
   if (cut) {
-    // Some point where the outline crosses the plane, if it does.
-    var q = select(select(second.cone.e3, first.cone.e3, see_from), a, view.beside);
-    q = select(q, ltc_arc_crossing(first.cone, first.part, front, q), first.sign != 0.0);
-    q = select(q, ltc_arc_crossing(second.cone, second.part, front, q), second.sign != 0.0);
-    q = select(q, ltc_edge_crossing(a, b, front, q), view.beside);
-    q = select(q, ltc_edge_crossing(c, d, front, q), view.beside);
-    let part = ltc_edge_in_front(a, b, q, up, front, s) * edges +
-               ltc_edge_in_front(c, d, q, up, front, s) * edges +
-               ltc_arc_in_front(first.cone, first.part, q, up, front, s) * first.sign +
-               ltc_arc_in_front(second.cone, second.part, q, up, front, s) * second.sign;
-    return select(part, all, whole);
+    if (clip) {
+      q = ltc_tube_crossing(ends, view.beside, inside, front);
+    }
   }
-  let clipped = ltc_closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
-                ltc_closed_edge_term(c, d, dot(up, c), dot(up, d), s) * edges +
-                ltc_clipped_arc_term(first.cone, first.part, up, s) * first.sign +
-                ltc_clipped_arc_term(second.cone, second.part, up, s) * second.sign;
+  var all = vec3f(0.0, 0.0, 0.0);
+  var clipped = all;
+  // The edge from one end to the other and the arc around the one, then back again.
+  for (var i = 0; i < 2; i++) {
+    var a = ends.first.left_touched;
+    var b = ends.second.left_touched;
+    all = all + ltc_edge_term(a, b, b - a) * edges +
+          ltc_arc_term(ends.first.cone, ends.first.part) * ends.first.sign;
+    if (clip) {
+      // Between the very points where the arcs end, so that all is one closed outline.
+      a = ends.first.left;
+      b = ends.second.left;
+      if (cut) {
+        clipped = clipped + ltc_edge_in_front(a, b, q, up, front, s) * edges +
+                  ltc_arc_in_front(ends.first.cone, ends.first.part, q, up, front, s) *
+                  ends.first.sign;
+      } else {
+        clipped = clipped + ltc_closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
+                  ltc_clipped_arc_term(ends.first.cone, ends.first.part, up, s) * ends.first.sign;
+      }
+    }
+    ends = ltc_turned_ends(ends);
+  }
   return select(clipped, all, whole);
 }
 
@@ -2995,9 +3105,15 @@ fn ltc_integrate_tube_part(tube: ltc_Tube, position: vec3f, frame: ltc_Frame, lo
                            front: vec3f, heights: ltc_Heights, cut: bool) -> ltc_LightIntegral {
   let view = ltc_tube_view(tube, position, frame);
   let seen = ltc_tube_seen_above(tube, view);
-  return ltc_light_integral(ltc_sum_tube(tube, view, ltc_cosine_lobe(), front, heights, cut) * seen,
-                            ltc_sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
-                            ltc_tube_outline2(tube, view, lobe));
+  var diffuse = vec3f(0.0, 0.0, 0.0);
+  var specular = diffuse;
+  var now = ltc_cosine_lobe();
+  for (var i = 0; i < 2; i++) {
+    diffuse = specular;
+    specular = ltc_sum_tube(tube, view, now, front, heights, cut) * seen;
+    now = lobe;
+  }
+  return ltc_light_integral(diffuse, specular, lobe, ltc_tube_outline2(tube, view, lobe));
 }
 
 // ---- tube surface -------------------------------------------------------------------------------

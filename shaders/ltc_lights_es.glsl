@@ -46,6 +46,17 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 
+// c ? a : b, a && b and a || b, of which all is computed. Browsers make branches of the signs, and many of them
+// in a loop take SwiftShader minutes to compile.
+float ltc_select(bool c, float a, float b) { return mix(b, a, c); }
+vec2 ltc_select(bool c, vec2 a, vec2 b) { return mix(b, a, bvec2(c)); }
+vec3 ltc_select(bool c, vec3 a, vec3 b) { return mix(b, a, bvec3(c)); }
+vec4 ltc_select(bool c, vec4 a, vec4 b) { return mix(b, a, bvec4(c)); }
+int ltc_select(bool c, int a, int b) { return int(c) * a + int(!c) * b; }
+bool ltc_select(bool c, bool a, bool b) { return bool(int(c) * int(a) + int(!c) * int(b)); }
+bool ltc_both_hold(bool a, bool b) { return all(bvec2(a, b)); }
+bool ltc_either_holds(bool a, bool b) { return any(bvec2(a, b)); }
+
 // ---- constants ----------------------------------------------------------------------------------
 //
 // Constants. CONSTANT is a compile-time scalar in every target.
@@ -106,8 +117,8 @@ struct ltc_Quad {
 
 // Corner i, counter-clockwise as seen from the front; 4 is the first again.
 vec3 ltc_quad_point(ltc_Quad quad, int i) {
-  float u = i == 1 || i == 2 ? 1.0 : -1.0;
-  float v = i == 2 || i == 3 ? 1.0 : -1.0;
+  float u = ltc_select(ltc_either_holds(i == 1, i == 2), 1.0, -1.0);
+  float v = ltc_select(ltc_either_holds(i == 2, i == 3), 1.0, -1.0);
   return quad.center + quad.half_u * u + quad.half_v * v;
 }
 
@@ -261,18 +272,19 @@ float ltc_angle_of(float x, float y) {
   float large = max(max(ax, ay), ltc_k_tiny);
   // atan(t) = pi/4 + atan((t - 1)/(t + 1)) brings t from 0..1 to within tan(pi/8).
   bool steep = small > 0.41421356237309503 * large;
-  float t = (steep ? small - large : small) / (steep ? small + large : large);
-  float angle = t * ltc_atan_over_small(t * t) + (steep ? 0.25 * ltc_k_pi : 0.0);
-  angle = ay > ax ? 0.5 * ltc_k_pi - angle : angle;
-  angle = x < 0.0 ? ltc_k_pi - angle : angle;
-  return y < 0.0 ? -angle : angle;
+  float t = ltc_select(steep, small - large, small) / ltc_select(steep, small + large, large);
+  float angle = t * ltc_atan_over_small(t * t) + ltc_select(steep, 0.25 * ltc_k_pi, 0.0);
+  angle = ltc_select(ay > ax, 0.5 * ltc_k_pi - angle, angle);
+  angle = ltc_select(x < 0.0, ltc_k_pi - angle, angle);
+  return ltc_select(y < 0.0, -angle, angle);
 }
 
 // atan(x) / x, 1 at 0.
 float ltc_atan_over(float x) {
   float a = abs(x);
   bool small = a < 0.4;
-  return small ? ltc_atan_over_small(min(a * a, 0.16)) : ltc_angle_of(1.0, a) / max(a, 0.4);
+  return ltc_select(small, ltc_atan_over_small(min(a * a, 0.16)),
+                    ltc_angle_of(1.0, a) / max(a, 0.4));
 }
 
 // ---- frame --------------------------------------------------------------------------------------
@@ -291,7 +303,7 @@ struct ltc_Frame {
 // A unit vector perpendicular to the unit vector n, without a branch: Duff et al. 2017, "Building an
 // Orthonormal Basis, Revisited", equation 3.
 vec3 ltc_any_perpendicular(vec3 n) {
-  float s = n.z < 0.0 ? -1.0 : 1.0;
+  float s = ltc_select(n.z < 0.0, -1.0, 1.0);
   float a = -1.0 / (s + n.z);
   return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
@@ -384,11 +396,11 @@ ltc_GgxTerms ltc_eval_ggx_terms(vec3 wo, vec3 wi, float alpha) {
   vec3 h = sum * inversesqrt(max(dot(sum, sum), ltc_k_tiny));
   float cos_o = wo.z;
   float cos_i = wi.z;
-  bool above = cos_i > 0.0 && cos_o > 0.0;
+  bool above = ltc_both_hold(cos_i > 0.0, cos_o > 0.0);
   float dv = ltc_ggx_distribution(h, alpha) *
              ltc_smith_visibility(max(cos_o, 0.0), max(cos_i, 0.0), alpha);
   ltc_GgxTerms terms;
-  terms.scale = above ? dv * cos_i : 0.0;
+  terms.scale = ltc_select(above, dv * cos_i, 0.0);
   terms.bias = terms.scale * ltc_schlick_weight(dot(wo, h));
   return terms;
 }
@@ -663,7 +675,7 @@ float ltc_inverse_length(vec3 v) {
 vec3 ltc_safe_direction(vec3 v) {
   float length2 = dot(v, v);
   bool usable = length2 > ltc_k_tiny;
-  return usable ? v * inversesqrt(max(length2, ltc_k_tiny)) : vec3(0.0, 0.0, 1.0);
+  return ltc_select(usable, v * inversesqrt(max(length2, ltc_k_tiny)), vec3(0.0, 0.0, 1.0));
 }
 
 // theta / sin(theta) from x = cos(theta), for 0 <= theta <= pi/2; of -x for x < 0.
@@ -684,17 +696,17 @@ float ltc_acute_over_sin(float x) {
 // sin2 as well.
 float ltc_any_over_sin(float x, float sin2, float acute) {
   float inv_sin = inversesqrt(max(sin2, ltc_k_tiny));
-  return x < 0.0 ? ltc_k_pi * inv_sin - acute : acute;
+  return ltc_select(x < 0.0, ltc_k_pi * inv_sin - acute, acute);
 }
 
 // theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
 float ltc_theta_over_sin(float x, float sin2) {
-  float acute = ltc_acute_over_sin(x);
+  float weight = ltc_acute_over_sin(x);
   // Uniform shortcut: no lane's angle is beyond a right one.
-  if (!(x < 0.0)) {
-    return acute;
+  if (x < 0.0) {
+    weight = ltc_any_over_sin(x, sin2, weight);
   }
-  return ltc_any_over_sin(x, sin2, acute);
+  return weight;
 }
 
 // Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
@@ -742,8 +754,8 @@ struct ltc_Span {
 ltc_Span ltc_span_above(float a, float b) {
   float t = ltc_crossing_place(a, b);
   ltc_Span span;
-  span.t0 = a < 0.0 ? t : 0.0;
-  span.t1 = b < 0.0 ? t : 1.0;
+  span.t0 = ltc_select(a < 0.0, t, 0.0);
+  span.t1 = ltc_select(b < 0.0, t, 1.0);
   return span;
 }
 
@@ -764,71 +776,25 @@ ltc_ClippedEdge ltc_clip_edge(vec3 a_o, vec3 b_o, float a_z, float b_z) {
   ltc_ClippedEdge edge;
   // t0 == t1 is not outside: an edge that leaves from, or ends at, a point on a horizon has no
   // length left but still opens or closes the outline there.
-  edge.outside = (a_z < 0.0 && b_z < 0.0) || (a_o.z < 0.0 && b_o.z < 0.0) || t0 > t1;
+  edge.outside = ltc_either_holds(ltc_either_holds(ltc_both_hold(a_z < 0.0, b_z < 0.0),
+                                                   ltc_both_hold(a_o.z < 0.0, b_o.z < 0.0)),
+                                  t0 > t1);
   vec3 d = b_o - a_o;
   edge.p0 = a_o + d * t0;
   edge.p1 = a_o + d * t1;
   edge.extent = t1 - t0;
   // A point cut at the cosine's horizon lies on it: seen near the apex, what rounding leaves of its
   // height would tilt the arc that closes.
-  edge.p0.z = cosine.t0 > surface.t0 ? 0.0 : max(edge.p0.z, 0.0);
-  edge.p1.z = cosine.t1 < surface.t1 ? 0.0 : max(edge.p1.z, 0.0);
+  edge.p0.z = ltc_select(cosine.t0 > surface.t0, 0.0, max(edge.p0.z, 0.0));
+  edge.p1.z = ltc_select(cosine.t1 < surface.t1, 0.0, max(edge.p1.z, 0.0));
   return edge;
 }
 
 // Angle of a unit vector (c, s) from (1, 0), -pi..pi.
 float ltc_angle_of_unit(float c, float s) {
   float acute = s * ltc_acute_over_sin(c);
-  float half_turn = s < 0.0 ? -ltc_k_pi : ltc_k_pi;
-  return c < 0.0 ? half_turn - acute : acute;
-}
-
-// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
-// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
-// counts as it is.
-struct ltc_EdgeAbove {
-  vec3 term;      // its contribution to the vector irradiance, times 2 pi
-  float turn_cos; // 1 where nothing was cut
-  float turn_sin; // 0 where nothing was cut
-};
-
-// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-ltc_EdgeAbove ltc_edge_above(vec3 a, vec3 b, float s, float inv_a, float inv_b) {
-  bool a_up = a.z >= 0.0;
-  bool b_up = b.z >= 0.0;
-  vec3 d = b - a;
-  float t = ltc_crossing_place(a.z, b.z);
-  vec3 q = vec3(a.x + d.x * t, a.y + d.y * t, 0.0);
-  float inv_q = ltc_inverse_length(q);
-  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
-  ltc_EdgeAbove edge;
-  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
-                                   b_up ? inv_b : inv_q);
-  edge.term = a_up || b_up ? edge.term : vec3(0.0, 0.0, 0.0);
-  bool leaves = a_up && !b_up;
-  bool enters = b_up && !a_up;
-  float inv_s = inv_q * s;
-  float x = q.x * inv_s;
-  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
-  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
-  return edge;
-}
-
-// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
-// other.
-ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
-  ltc_EdgeAbove sum;
-  sum.term = a.term + b.term;
-  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
-  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
-  return sum;
-}
-
-// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
-// about z leads backwards; it holds whatever rounding makes of an angle near 0.
-vec3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
-  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
-  return vec3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
+  float half_turn = ltc_select(s < 0.0, -ltc_k_pi, ltc_k_pi);
+  return ltc_select(c < 0.0, half_turn - acute, acute);
 }
 
 // The same closed at both ends, cut or not: for edges that meet arcs (cone.glsl), whose own
@@ -840,7 +806,7 @@ vec3 ltc_closed_edge_term(vec3 a_o, vec3 b_o, float a_z, float b_z, float s) {
   float inv_p1 = ltc_inverse_length(edge.p1);
   vec3 sum = ltc_edge_term_scaled(edge.p0, edge.p1, (b_o - a_o) * edge.extent, inv_p0, inv_p1) +
              ltc_apex_term(edge.p1, inv_p1, s) - ltc_apex_term(edge.p0, inv_p0, s);
-  return edge.outside ? vec3(0.0, 0.0, 0.0) : sum;
+  return ltc_select(edge.outside, vec3(0.0, 0.0, 0.0), sum);
 }
 
 // ---- light --------------------------------------------------------------------------------------
@@ -1029,19 +995,19 @@ bool ltc_has_side(ltc_Surface s, vec3 origin, vec3 normal) {
 ltc_LightIntegral ltc_unless_in_plane(ltc_Surface s, vec3 origin, vec3 normal,
                                       ltc_LightIntegral integral) {
   bool sided = ltc_has_side(s, origin, normal);
-  integral.diffuse = sided ? integral.diffuse : 0.0;
-  integral.specular = sided ? integral.specular : 0.0;
-  integral.second = sided ? integral.second : 0.0;
+  integral.diffuse = ltc_select(sided, integral.diffuse, 0.0);
+  integral.specular = ltc_select(sided, integral.specular, 0.0);
+  integral.second = ltc_select(sided, integral.second, 0.0);
   return integral;
 }
 
 // An integral without what lanes have that see nothing of the light in front of the triangle's plane.
 ltc_LightIntegral ltc_unless_hidden(ltc_Surface s, ltc_Heights heights,
                                     ltc_LightIntegral integral) {
-  bool seen = heights.high > 0.0 && heights.high * heights.high > s.position_error2;
-  integral.diffuse = seen ? integral.diffuse : 0.0;
-  integral.specular = seen ? integral.specular : 0.0;
-  integral.second = seen ? integral.second : 0.0;
+  bool seen = ltc_both_hold(heights.high > 0.0, heights.high * heights.high > s.position_error2);
+  integral.diffuse = ltc_select(seen, integral.diffuse, 0.0);
+  integral.specular = ltc_select(seen, integral.specular, 0.0);
+  integral.second = ltc_select(seen, integral.second, 0.0);
   return integral;
 }
 
@@ -1177,7 +1143,7 @@ struct ltc_Diagonalisation {
 float ltc_jacobi_tangent(float pp, float qq, float pq) {
   float d = qq - pp;
   float root = sqrt(d * d + 4.0 * pq * pq);
-  float t = 2.0 * pq / (d + (d < 0.0 ? -root : root) + ltc_k_tiny);
+  float t = 2.0 * pq / (d + ltc_select(d < 0.0, -root, root) + ltc_k_tiny);
   return min(max(t, -1.0), 1.0);
 }
 
@@ -1246,7 +1212,7 @@ ltc_Cone ltc_make_cone(vec3 center, vec3 a, vec3 b) {
   vec3 n = cross(p, q);
   n = n * inversesqrt(max(dot(n, n), ltc_k_tiny));
   float height = dot(n, c);
-  vec3 z_normal = n * (height < 0.0 ? -1.0 : 1.0);
+  vec3 z_normal = n * ltc_select(height < 0.0, -1.0, 1.0);
   float c_length2 = dot(c, c);
   float inv_c = inversesqrt(max(c_length2, ltc_k_tiny));
   vec3 z_center = c * inv_c;
@@ -1255,13 +1221,14 @@ ltc_Cone ltc_make_cone(vec3 center, vec3 a, vec3 b) {
   bool from_center = along_p * along_p + along_q * along_q - c_length2 < -(height * height);
 
   ltc_Diagonalisation j;
-  j.e3 = from_center ? z_center : z_normal;
+  j.e3 = ltc_select(from_center, z_center, z_normal);
   j.e1 = ltc_any_perpendicular(j.e3);
   j.e2 = cross(j.e3, j.e1);
   vec3 pj = vec3(dot(p, j.e1), dot(p, j.e2), dot(p, j.e3));
   vec3 qj = vec3(dot(q, j.e1), dot(q, j.e2), dot(q, j.e3));
   float zero = 0.0;
-  vec3 cj = vec3(from_center ? zero : dot(c, j.e1), from_center ? zero : dot(c, j.e2), dot(c, j.e3));
+  vec3 cj = vec3(ltc_select(from_center, zero, dot(c, j.e1)),
+                 ltc_select(from_center, zero, dot(c, j.e2)), dot(c, j.e3));
   j.s11 = pj.x * pj.x + qj.x * qj.x - cj.x * cj.x;
   j.s22 = pj.y * pj.y + qj.y * qj.y - cj.y * cj.y;
   j.s33 = pj.z * pj.z + qj.z * qj.z - cj.z * cj.z;
@@ -1273,22 +1240,22 @@ ltc_Cone ltc_make_cone(vec3 center, vec3 a, vec3 b) {
   }
 
   // The negative eigenvalue may have come out elsewhere: bring it to the third place.
-  bool first = j.s11 < j.s33 && j.s11 <= j.s22;
-  bool second = j.s22 < j.s33 && j.s22 < j.s11;
+  bool first = ltc_both_hold(j.s11 < j.s33, j.s11 <= j.s22);
+  bool second = ltc_both_hold(j.s22 < j.s33, j.s22 < j.s11);
   float s33 = min(min(j.s11, j.s22), j.s33);
-  vec3 e3 = first ? j.e1 : (second ? j.e2 : j.e3);
-  j.s11 = first ? j.s33 : j.s11;
-  j.e1 = first ? j.e3 : j.e1;
-  j.s22 = second ? j.s33 : j.s22;
-  j.e2 = second ? j.e3 : j.e2;
+  vec3 e3 = ltc_select(first, j.e1, ltc_select(second, j.e2, j.e3));
+  j.s11 = ltc_select(first, j.s33, j.s11);
+  j.e1 = ltc_select(first, j.e3, j.e1);
+  j.s22 = ltc_select(second, j.s33, j.s22);
+  j.e2 = ltc_select(second, j.e3, j.e2);
   j.s33 = s33;
   j.e3 = e3;
 
   ltc_Cone cone;
-  float away = dot(j.e3, c) < 0.0 ? -1.0 : 1.0;
+  float away = ltc_select(dot(j.e3, c) < 0.0, -1.0, 1.0);
   cone.e3 = j.e3 * away;
   bool swapped = j.s22 > j.s11;
-  cone.e1 = swapped ? j.e2 : j.e1;
+  cone.e1 = ltc_select(swapped, j.e2, j.e1);
   cone.e2 = cross(cone.e3, cone.e1);
   float s1 = max(max(j.s11, j.s22), 0.0);
   float s2 = max(min(j.s11, j.s22), 0.0);
@@ -1298,9 +1265,9 @@ ltc_Cone ltc_make_cone(vec3 center, vec3 a, vec3 b) {
   float det = abs(dot(cross(p, q), c));
   float det_over_s1 = det / max(s1, ltc_k_tiny);
   float small_s2 = min(det_over_s1 * (det / negative), s1);
-  s2 = s2 < 0.01 * min(s1, negative) ? small_s2 : s2;
+  s2 = ltc_select(s2 < 0.01 * min(s1, negative), small_s2, s2);
   float small_negative = max(det_over_s1 * (det / max(s2, ltc_k_tiny)), 1.0e-14);
-  negative = negative < 0.01 * s2 ? small_negative : negative;
+  negative = ltc_select(negative < 0.01 * s2, small_negative, negative);
   float inv1 = inversesqrt(s1 + negative);
   float inv2 = inversesqrt(s2 + negative);
   float root = sqrt(negative);
@@ -1349,11 +1316,11 @@ ltc_Arc ltc_arc_above(ltc_Cone cone, vec3 up) {
   // little into nearly all.
   float half_turn = 0.5 * ltc_k_pi;
   float turn = 2.0 * ltc_k_pi;
-  float less = length < -half_turn ? length + turn : max(length, 0.0);
-  float more = length < half_turn ? length + turn : length;
-  arc.extent = min(r < 0.0 ? less : more, turn);
+  float less = ltc_select(length < -half_turn, length + turn, max(length, 0.0));
+  float more = ltc_select(length < half_turn, length + turn, length);
+  arc.extent = min(ltc_select(r < 0.0, less, more), turn);
   bool uncut = w2 <= 0.0;
-  arc.extent = uncut ? (r < 0.0 ? 0.0 : turn) : arc.extent;
+  arc.extent = ltc_select(uncut, ltc_select(r < 0.0, 0.0, turn), arc.extent);
   return arc;
 }
 
@@ -1388,7 +1355,7 @@ ltc_ConePoint ltc_cone_point(ltc_Cone cone, float t) {
   float z2 = min(ms * ms * inv_n * inv_n, 1.0);
   float series = 1.0 + z2 * (1.0 / 3.0 + z2 * (1.0 / 5.0 + z2 * (1.0 / 7.0)));
   float logarithm = log((n + ms) / max(cone.c1, 1.0e-12));
-  float atanh_over_z = z2 < 0.01 ? series : logarithm * n / max(ms, ltc_k_tiny);
+  float atanh_over_z = ltc_select(z2 < 0.01, series, logarithm * n / max(ms, ltc_k_tiny));
   ltc_ConePoint point;
   point.sum = vec3(-(cone.k2 * cone.c1 * cone.c1 * s * inv_n * atanh_over_z),
                    cone.k1 * cone.c2 * cone.c2 * c * inv_n * ltc_atan_over(m * c * inv_n),
@@ -1400,19 +1367,19 @@ ltc_ConePoint ltc_cone_point(ltc_Cone cone, float t) {
 // The same angle within a turn: 0 to 2 pi, from -2 pi to 4 pi.
 float ltc_wrapped_turn(float angle) {
   float turn = 2.0 * ltc_k_pi;
-  float a = angle < 0.0 ? angle + turn : angle;
-  return a < turn ? a : a - turn;
+  float a = ltc_select(angle < 0.0, angle + turn, angle);
+  return ltc_select(a < turn, a, a - turn);
 }
 
-// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z,
-// and closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the
-// vector irradiance. Ends that other edges continue from cancel with those.
-vec3 ltc_clipped_arc_term(ltc_Cone cone, ltc_Arc part, vec3 up, float s) {
-  ltc_Arc surface = ltc_arc_above(cone, up);
-  ltc_Arc cosine = ltc_arc_above(cone, vec3(0.0, 0.0, 1.0));
+// What the arcs `part`, `surface` and `cosine` of an outline have in common, the latter two being what is above each
+// horizon, closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the vector
+// irradiance.
+vec3 ltc_common_arc_term(ltc_Cone cone, ltc_Arc part, ltc_Arc surface, ltc_Arc cosine, float s) {
   float turn = 2.0 * ltc_k_pi;
-  float x1 = surface.extent > ltc_k_full_turn ? 0.0 : ltc_wrapped_turn(surface.start - part.start);
-  float x2 = cosine.extent > ltc_k_full_turn ? 0.0 : ltc_wrapped_turn(cosine.start - part.start);
+  float x1 = ltc_select(surface.extent > ltc_k_full_turn, 0.0,
+                        ltc_wrapped_turn(surface.start - part.start));
+  float x2 = ltc_select(cosine.extent > ltc_k_full_turn, 0.0,
+                        ltc_wrapped_turn(cosine.start - part.start));
   vec3 sum = vec3(0.0, 0.0, 0.0);
   vec3 ends = sum;
   // Intervals on a circle meet themselves again after a turn.
@@ -1424,16 +1391,29 @@ vec3 ltc_clipped_arc_term(ltc_Cone cone, ltc_Arc part, vec3 up, float s) {
       float high = min(min(a + surface.extent, b + cosine.extent), part.extent);
       bool some = high > low;
       if (some) {
-        ltc_ConePoint from = ltc_cone_point(cone, part.start + low);
-        ltc_ConePoint to = ltc_cone_point(cone, part.start + high);
-        sum = sum + (to.sum - from.sum);
-        ends = ends +
-               (ltc_apex_term(to.direction, ltc_inverse_length(to.direction), s) -
-                ltc_apex_term(from.direction, ltc_inverse_length(from.direction), s));
+        // Its end, then its beginning.
+        float t = high;
+        float sign = 1.0;
+        for (int end = 0; end < 2; ++end) {
+          ltc_ConePoint point = ltc_cone_point(cone, part.start + t);
+          float counts = sign;
+          sum = sum + point.sum * counts;
+          ends = ends +
+                 ltc_apex_term(point.direction, ltc_inverse_length(point.direction), s) * counts;
+          t = low;
+          sign = -1.0;
+        }
       }
     }
   }
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z + ends;
+}
+
+// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z, and closed as
+// above. Ends that other edges continue from cancel with those.
+vec3 ltc_clipped_arc_term(ltc_Cone cone, ltc_Arc part, vec3 up, float s) {
+  return ltc_common_arc_term(cone, part, ltc_arc_above(cone, up),
+                             ltc_arc_above(cone, vec3(0.0, 0.0, 1.0)), s);
 }
 
 // Whether a cone lies wholly above the planes with unit normals `up` and z: the axis' height over
@@ -1445,8 +1425,8 @@ bool ltc_cone_is_above(ltc_Cone cone, vec3 up) {
   float height_o = cone.e3.z * cone.c1 * cone.c2;
   float po = cone.e1.z * cone.k1 * cone.c2;
   float qo = cone.e2.z * cone.k2 * cone.c1;
-  return height > 0.0 && height * height >= p * p + q * q && height_o > 0.0 &&
-         height_o * height_o >= po * po + qo * qo;
+  return ltc_both_hold(ltc_both_hold(ltc_both_hold(height > 0.0, height * height >= p * p + q * q),
+                                     height_o > 0.0), height_o * height_o >= po * po + qo * qo);
 }
 
 // Square of the mean of the unit vectors to the ends of a cone's axes; see light_concentration.
@@ -1468,10 +1448,10 @@ vec3 ltc_clipped_cone(ltc_Cone cone, vec3 up) {
   ltc_Arc surface = ltc_arc_above(cone, up);
   ltc_Arc cosine = ltc_arc_above(cone, vec3(0.0, 0.0, 1.0));
   ltc_Arc part;
-  part.start = surface.extent > ltc_k_full_turn ? cosine.start : surface.start;
+  part.start = ltc_select(surface.extent > ltc_k_full_turn, cosine.start, surface.start);
   part.extent = 2.0 * ltc_k_pi;
-  float s = cone.e3.y < 0.0 ? -1.0 : 1.0;
-  return whole ? all : ltc_clipped_arc_term(cone, part, up, s);
+  float s = ltc_select(cone.e3.y < 0.0, -1.0, 1.0);
+  return ltc_select(whole, all, ltc_common_arc_term(cone, part, surface, cosine, s));
 }
 
 // Parameter of the outline at a direction on it, -pi..pi.
@@ -1485,13 +1465,20 @@ float ltc_outline_parameter(ltc_Cone cone, vec3 direction) {
   float x1 = min(max(x / max(cone.k1, 1.0e-12), -1.0), 1.0);
   float y1 = sqrt(1.0 - x1 * x1);
   bool flat_cone = cone.k2 < 0.02 * cone.k1;
-  return ltc_angle_of(flat_cone ? x1 : x * cone.k2, flat_cone ? (y < 0.0 ? -y1 : y1) : y * cone.k1);
+  return ltc_angle_of(ltc_select(flat_cone, x1, x * cone.k2),
+                      ltc_select(flat_cone, ltc_select(y < 0.0, -y1, y1), y * cone.k1));
 }
 
 // Share of the outline's arc `part` in 2 pi times the vector irradiance, without horizons.
 vec3 ltc_arc_term(ltc_Cone cone, ltc_Arc part) {
-  vec3 sum = ltc_cone_point(cone, part.start + part.extent).sum -
-             ltc_cone_point(cone, part.start).sum;
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  float t = part.start + part.extent;
+  float sign = 1.0;
+  for (int end = 0; end < 2; ++end) {
+    sum = sum + ltc_cone_point(cone, t).sum * sign;
+    t = part.start;
+    sign = -1.0;
+  }
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z;
 }
 
@@ -1534,8 +1521,8 @@ ltc_FrontSegment ltc_segment_in_front(vec3 a, vec3 b, vec3 front) {
   vec3 d = b - a;
   ltc_FrontSegment segment;
   segment.a = a + d * span.t0;
-  segment.b = b_height < 0.0 ? a + d * span.t1 : b;
-  segment.some = a_height > 0.0 || b_height > 0.0;
+  segment.b = ltc_select(b_height < 0.0, a + d * span.t1, b);
+  segment.some = ltc_either_holds(a_height > 0.0, b_height > 0.0);
   return segment;
 }
 
@@ -1552,16 +1539,17 @@ vec3 ltc_clipped_cone_in_front(ltc_Cone cone, vec3 up, vec3 front) {
   bool hidden = part.extent <= 0.0;
   ltc_Arc surface = ltc_arc_above(cone, up);
   ltc_Arc cosine = ltc_arc_above(cone, vec3(0.0, 0.0, 1.0));
-  float start = surface.extent > ltc_k_full_turn ? cosine.start : surface.start;
-  part.start = uncut ? start : part.start;
-  part.extent = uncut ? 2.0 * ltc_k_pi : part.extent;
-  float s = cone.e3.y < 0.0 ? -1.0 : 1.0;
+  float start = ltc_select(surface.extent > ltc_k_full_turn, cosine.start, surface.start);
+  part.start = ltc_select(uncut, start, part.start);
+  part.extent = ltc_select(uncut, 2.0 * ltc_k_pi, part.extent);
+  float s = ltc_select(cone.e3.y < 0.0, -1.0, 1.0);
   vec3 from = ltc_cone_direction(cone, part.start + part.extent);
   vec3 to = ltc_cone_direction(cone, part.start);
   vec3 sum = ltc_clipped_arc_term(cone, part, up, s) +
-             (uncut ? none : ltc_closed_term(from, to, up, s));
+             ltc_select(uncut, none, ltc_closed_term(from, to, up, s));
   vec3 all = cone.e3 * (2.0 * ltc_k_pi * cone.k1 * cone.k2);
-  return hidden ? none : (uncut && ltc_cone_is_above(cone, up) ? all : sum);
+  return ltc_select(hidden, none,
+                    ltc_select(ltc_both_hold(uncut, ltc_cone_is_above(cone, up)), all, sum));
 }
 
 // An edge's part in front of the plane with unit normal `front`, and what joins its ends to q in that
@@ -1570,14 +1558,15 @@ vec3 ltc_edge_in_front(vec3 a, vec3 b, vec3 q, vec3 up, vec3 front, float s) {
   ltc_FrontSegment part = ltc_segment_in_front(a, b, front);
   vec3 sum = ltc_closed_term(part.a, part.b, up, s) + ltc_closed_term(part.b, q, up, s) -
              ltc_closed_term(part.a, q, up, s);
-  return part.some ? sum : vec3(0.0, 0.0, 0.0);
+  return ltc_select(part.some, sum, vec3(0.0, 0.0, 0.0));
 }
 
 // The same of an arc of a cone's outline.
 vec3 ltc_arc_in_front(ltc_Cone cone, ltc_Arc part, vec3 q, vec3 up, vec3 front, float s) {
   ltc_Arc above = ltc_arc_above(cone, front);
   float turn = 2.0 * ltc_k_pi;
-  float x = above.extent > ltc_k_full_turn ? 0.0 : ltc_wrapped_turn(above.start - part.start);
+  float x = ltc_select(above.extent > ltc_k_full_turn, 0.0,
+                       ltc_wrapped_turn(above.start - part.start));
   vec3 none = vec3(0.0, 0.0, 0.0);
   vec3 sum = none;
   // Intervals on a circle meet themselves again after a turn.
@@ -1605,18 +1594,18 @@ vec3 ltc_edge_crossing(vec3 a, vec3 b, vec3 front, vec3 otherwise) {
   float a_height = dot(front, a);
   float b_height = dot(front, b);
   float t = ltc_crossing_place(a_height, b_height);
-  return (a_height < 0.0) != (b_height < 0.0) ? a + (b - a) * t : otherwise;
+  return ltc_select((a_height < 0.0) != (b_height < 0.0), a + (b - a) * t, otherwise);
 }
 
 // The same of an arc of a cone's outline.
 vec3 ltc_arc_crossing(ltc_Cone cone, ltc_Arc part, vec3 front, vec3 otherwise) {
   ltc_Arc above = ltc_arc_above(cone, front);
-  bool cut = above.extent > 0.0 && above.extent <= ltc_k_full_turn;
+  bool cut = ltc_both_hold(above.extent > 0.0, above.extent <= ltc_k_full_turn);
   float end = above.start + above.extent;
-  vec3 q = cut && ltc_wrapped_turn(end - part.start) <= part.extent ?
-           ltc_cone_direction(cone, end) : otherwise;
-  return cut && ltc_wrapped_turn(above.start - part.start) <= part.extent ?
-         ltc_cone_direction(cone, above.start) : q;
+  vec3 q = ltc_select(ltc_both_hold(cut, ltc_wrapped_turn(end - part.start) <= part.extent),
+                      ltc_cone_direction(cone, end), otherwise);
+  return ltc_select(ltc_both_hold(cut, ltc_wrapped_turn(above.start - part.start) <= part.extent),
+                    ltc_cone_direction(cone, above.start), q);
 }
 
 // ---- polygon edges ------------------------------------------------------------------------------
@@ -1626,44 +1615,12 @@ vec3 ltc_arc_crossing(ltc_Cone cone, ltc_Arc part, vec3 front, vec3 otherwise) {
 //
 // Source: the edge sum of edge.glsl.
 
-// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
-// normal, meets the y axis.
-float ltc_apex_side(float normal_y, float h) { return normal_y * h < 0.0 ? -1.0 : 1.0; }
-
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   vec3 diffuse;   // 2 pi times the vector irradiance of the clipped polygon in shading space
   vec3 specular;  // the same in cosine space
   float outline2; // square of the mean of the unit vectors to its corners, cosine space
 };
-
-// A corner of an outline as a point sees it.
-struct ltc_Corner {
-  vec3 p;      // shading space
-  vec3 o;      // cosine space
-  float inv_p; // 1 / length
-  float inv_o; // 1 / length
-};
-
-// The corner at p of shading space.
-ltc_Corner ltc_corner_at(vec3 p, ltc_Lobe lobe) {
-  ltc_Corner corner;
-  corner.p = p;
-  corner.o = ltc_to_cosine(lobe, p);
-  corner.inv_p = ltc_inverse_length(corner.p);
-  corner.inv_o = ltc_inverse_length(corner.o);
-  return corner;
-}
-
-// And above the surface's horizon, clipped to the cosine's, not yet closed.
-ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
-  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
-}
-
-// The same of an edge above both horizons.
-vec3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
-  return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
-}
 
 // Square of the length of a mean, from the sum and the number of its parts.
 float ltc_mean_length2(vec3 sum, float count) { return dot(sum, sum) / max(count * count, 1.0); }
@@ -1711,7 +1668,7 @@ ltc_OutlineSums ltc_add_to_specular(ltc_OutlineSums outline, vec3 a, vec3 b) {
   ltc_OutlineSums next = outline;
   bool a_up = a.z >= 0.0;
   bool b_up = b.z >= 0.0;
-  if (a_up || b_up) {
+  if (ltc_either_holds(a_up, b_up)) {
     vec3 from = a;
     vec3 to = b;
     vec3 along = b - a;
@@ -1749,7 +1706,7 @@ ltc_OutlineSums ltc_add_to_outline(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_
   bool b_up = b.z >= 0.0;
   vec3 from = a;
   vec3 to = b;
-  int parts = a_up || b_up ? 1 : 0;
+  int parts = ltc_select(ltc_either_holds(a_up, b_up), 1, 0);
   if (a_up != b_up) {
     float t = ltc_crossing_place(a.z, b.z);
     vec3 cut = vec3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
@@ -1795,7 +1752,7 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
     float b_height = dot(front, b);
     bool a_seen = a_height >= 0.0;
     bool b_seen = b_height >= 0.0;
-    parts = a_seen || b_seen ? 1 : 0;
+    parts = ltc_select(ltc_either_holds(a_seen, b_seen), 1, 0);
     if (a_seen != b_seen) {
       vec3 crossing = a + (b - a) * ltc_crossing_place(a_height, b_height);
       // See corner_between.
@@ -1886,48 +1843,140 @@ vec3 ltc_horizon_point(vec3 a, vec3 b) {
   return vec3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
 }
 
-// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
-// h: signed distance of its plane along its normal.
-ltc_EdgeSums ltc_sum_convex_quad(vec3 corner0, vec3 corner1, vec3 corner2, vec3 corner3, float s,
-                                 float h, ltc_Lobe lobe) {
+// Five corners of a convex outline in its order, of which some may coincide.
+struct ltc_FiveCorners {
+  vec3 first;  // shading space
+  vec3 second; // see first
+  vec3 third;  // see first
+  vec3 fourth; // see first
+  vec3 fifth;  // see first
+};
+
+// The same, from the second on.
+ltc_FiveCorners ltc_next_corner_first(ltc_FiveCorners corners) {
+  ltc_FiveCorners next;
+  next.first = corners.second;
+  next.second = corners.third;
+  next.third = corners.fourth;
+  next.fourth = corners.fifth;
+  next.fifth = corners.first;
+  return next;
+}
+
+// 2 pi times the vector irradiance of what they bound, which is above the horizon, shading space.
+vec3 ltc_sum_corners(ltc_FiveCorners corners) {
+  ltc_FiveCorners left = corners;
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  vec3 a = corners.fifth;
+  float inv_a = ltc_inverse_length(a);
+  for (int i = 0; i < 5; ++i) {
+    vec3 b = left.first;
+    float inv_b = ltc_inverse_length(b);
+    sum = sum + ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return sum;
+}
+
+// The sum over a convex outline in cosine space, and where it crosses the cosine's horizon: at most once either way.
+struct ltc_ConvexSum {
+  vec3 term;   // 2 pi times the vector irradiance, not yet closed
+  vec3 enters; // where the outline comes up, unit
+  vec3 leaves; // and where it goes down
+};
+
+// No edges yet.
+ltc_ConvexSum ltc_no_convex_edges() {
+  ltc_ConvexSum sum;
+  sum.term = vec3(0.0, 0.0, 0.0);
+  sum.enters = vec3(1.0, 0.0, 0.0);
+  sum.leaves = sum.enters;
+  return sum;
+}
+
+// The edge from a to b, cosine space, cut by its horizon without a branch: of an edge below it the length is 0. inv_a,
+// inv_b: 1 / their lengths.
+ltc_ConvexSum ltc_add_convex_edge(ltc_ConvexSum sum, vec3 a, vec3 b, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  vec3 along = b - a;
+  float t = ltc_crossing_place(a.z, b.z);
+  vec3 cut = vec3(a.x + along.x * t, a.y + along.y * t, 0.0);
+  float inv_cut = ltc_inverse_length(cut);
+  vec3 unit = cut * inv_cut;
+  float extent = ltc_select(a_up, ltc_select(b_up, 1.0, t), ltc_select(b_up, 1.0 - t, 0.0));
+  ltc_ConvexSum next;
+  next.term = sum.term +
+              ltc_edge_term_scaled(ltc_select(a_up, a, cut), ltc_select(b_up, b, cut),
+                                   along * extent, ltc_select(a_up, inv_a, inv_cut),
+                                   ltc_select(b_up, inv_b, inv_cut));
+  next.enters = ltc_select(ltc_both_hold(b_up, !a_up), unit, sum.enters);
+  next.leaves = ltc_select(ltc_both_hold(a_up, !b_up), unit, sum.leaves);
+  return next;
+}
+
+// The specular sum of a whole outline, closed along the cosine's horizon. way: negative where a positive angle about z
+// leads backwards; it holds whatever rounding makes of an angle near 0.
+vec3 ltc_close_convex_outline(ltc_ConvexSum sum, float way) {
+  vec3 a = sum.leaves;
+  vec3 b = sum.enters;
+  float angle = abs(ltc_angle_of_unit(a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x));
+  return vec3(sum.term.x, sum.term.y, sum.term.z + ltc_select(way < 0.0, -angle, angle));
+}
+
+// sum_corners in cosine space. way: see close_convex_outline.
+vec3 ltc_sum_corners_cosine(ltc_FiveCorners corners, ltc_Lobe lobe, float way) {
+  ltc_FiveCorners left = corners;
+  ltc_ConvexSum sum = ltc_no_convex_edges();
+  vec3 a = ltc_to_cosine(lobe, corners.fifth);
+  float inv_a = ltc_inverse_length(a);
+  for (int i = 0; i < 5; ++i) {
+    vec3 b = ltc_to_cosine(lobe, left.first);
+    float inv_b = ltc_inverse_length(b);
+    sum = ltc_add_convex_edge(sum, a, b, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return ltc_close_convex_outline(sum, way);
+}
+
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. h: signed
+// distance of its plane along its normal.
+ltc_EdgeSums ltc_sum_convex_quad(vec3 corner0, vec3 corner1, vec3 corner2, vec3 corner3, float h,
+                                 ltc_Lobe lobe) {
   vec3 a = corner0;
   vec3 b = corner1;
   vec3 c = corner2;
   vec3 d = corner3;
   // Turned until it enters at a: a is above and d is not. One that is wholly above comes as it may.
   for (int i = 0; i < 3; ++i) {
-    bool enters = a.z >= 0.0 && d.z < 0.0;
+    bool enters = ltc_both_hold(a.z >= 0.0, d.z < 0.0);
     vec3 first = a;
-    a = enters ? a : b;
-    b = enters ? b : c;
-    c = enters ? c : d;
-    d = enters ? d : first;
+    a = ltc_select(enters, a, b);
+    b = ltc_select(enters, b, c);
+    c = ltc_select(enters, c, d);
+    d = ltc_select(enters, d, first);
   }
   bool seen = a.z >= 0.0;
   bool two = b.z >= 0.0;
-  bool three = two && c.z >= 0.0;
+  bool three = ltc_both_hold(two, c.z >= 0.0);
   bool four = d.z >= 0.0;
-  vec3 last = three ? c : (two ? b : a);
-  vec3 below = three ? d : (two ? c : b);
-  vec3 leaves = four ? d : ltc_horizon_point(last, below);
-  ltc_Corner p0 = ltc_corner_at(four ? d : ltc_horizon_point(d, a), lobe);
-  ltc_Corner p1 = ltc_corner_at(a, lobe);
-  vec3 diffuse = ltc_whole_diffuse_term(p0, p1);
-  ltc_EdgeAbove specular = ltc_specular_edge(p0, p1, s);
-  ltc_Corner p2 = ltc_corner_at(two ? b : leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
-  ltc_Corner p3 = ltc_corner_at(three ? c : leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
-  ltc_Corner p4 = ltc_corner_at(leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
-  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  vec3 last = ltc_select(three, c, ltc_select(two, b, a));
+  vec3 below = ltc_select(three, d, ltc_select(two, c, b));
+  vec3 leaves = ltc_select(four, d, ltc_horizon_point(last, below));
+  ltc_FiveCorners corners;
+  corners.first = a;
+  corners.second = ltc_select(two, b, leaves);
+  corners.third = ltc_select(three, c, leaves);
+  corners.fourth = leaves;
+  corners.fifth = ltc_select(four, d, ltc_horizon_point(d, a));
   vec3 none = vec3(0.0, 0.0, 0.0);
   ltc_EdgeSums sums;
-  sums.diffuse = seen ? diffuse : none;
-  sums.specular = seen ? ltc_close_outline(specular, h * lobe.det) : none;
+  sums.diffuse = ltc_select(seen, ltc_sum_corners(corners), none);
+  sums.specular = ltc_select(seen, ltc_sum_corners_cosine(corners, lobe, h * lobe.det), none);
   sums.outline2 = 0.0;
   return sums;
 }
@@ -1946,8 +1995,7 @@ ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, vec3 position, ltc_Frame fr
       return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, front);
     }
   }
-  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, h, lobe);
   vec3 corners = ltc_safe_direction(ltc_to_cosine(lobe, a)) +
                  ltc_safe_direction(ltc_to_cosine(lobe, b)) +
                  ltc_safe_direction(ltc_to_cosine(lobe, c)) +
@@ -1995,10 +2043,14 @@ vec3 ltc_small_part_term(vec3 p, float area_height, ltc_Lobe lobe) {
 // both horizons: four parts, which have its area, centroid and second moments.
 vec3 ltc_sum_small_polygon(ltc_SmallPolygon small, ltc_Lobe lobe) {
   float quarter = 0.25 * small.area_height;
-  return ltc_small_part_term(small.center + small.u, quarter, lobe) +
-         ltc_small_part_term(small.center - small.u, quarter, lobe) +
-         ltc_small_part_term(small.center + small.v, quarter, lobe) +
-         ltc_small_part_term(small.center - small.v, quarter, lobe);
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  vec3 across = small.u;
+  for (int i = 0; i < 2; ++i) {
+    sum = sum + ltc_small_part_term(small.center + across, quarter, lobe) +
+          ltc_small_part_term(small.center - across, quarter, lobe);
+    across = small.v;
+  }
+  return sum;
 }
 
 // Square of the angular radius below which the small form begins, 0.05.
@@ -2027,8 +2079,8 @@ float ltc_polygon_exactness(vec3 center, float radius, ltc_Lobe lobe) {
   float inv_o = inversesqrt(o2);
   float exact = min(max((reach * inv_o - ltc_k_wholly_small_radius) * ltc_k_inv_small_range, 0.0),
                     1.0);
-  bool above = center.z > radius && o.z > reach;
-  return above ? exact : 1.0;
+  bool above = ltc_both_hold(center.z > radius, o.z > reach);
+  return ltc_select(above, exact, 1.0);
 }
 
 // EdgeSums.outline2 for what fades into the small form, which lies in one direction.
@@ -2039,15 +2091,15 @@ float ltc_small_outline2(ltc_EdgeSums sums, float exact) {
 // The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
 // its plane along its normal.
 float ltc_lit_side(int polygon, float h, vec3 to_origin) {
-  float side = h < 0.0 ? -1.0 : (ltc_polygon_two_sided(polygon) ? 1.0 : 0.0);
-  return ltc_lies_in_plane(h, to_origin, 0.0) ? 0.0 : side;
+  float side = ltc_select(h < 0.0, -1.0, ltc_select(ltc_polygon_two_sided(polygon), 1.0, 0.0));
+  return ltc_select(ltc_lies_in_plane(h, to_origin, 0.0), 0.0, side);
 }
 
 // The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
 // its plane along its normal.
 float ltc_quad_lit_side(ltc_Quad quad, float h, vec3 to_origin) {
-  float side = h < 0.0 ? -1.0 : (ltc_quad_two_sided(quad) ? 1.0 : 0.0);
-  return ltc_lies_in_plane(h, to_origin, 0.0) ? 0.0 : side;
+  float side = ltc_select(h < 0.0, -1.0, ltc_select(ltc_quad_two_sided(quad), 1.0, 0.0));
+  return ltc_select(ltc_lies_in_plane(h, to_origin, 0.0), 0.0, side);
 }
 
 // A polygon as a point sees it, for its small form; side: see lit_side.
@@ -2098,8 +2150,8 @@ ltc_LightIntegral ltc_integrate_polygon_part(int polygon, vec3 position, ltc_Fra
     // What the plane may cut is summed by its edges, however small.
     if (cut) {
       bool in_front = dot(front, center) > radius;
-      exact_diffuse = in_front ? exact_diffuse : 1.0;
-      exact_specular = in_front ? exact_specular : 1.0;
+      exact_diffuse = ltc_select(in_front, exact_diffuse, 1.0);
+      exact_specular = ltc_select(in_front, exact_specular, 1.0);
     }
   }
 
@@ -2109,20 +2161,21 @@ ltc_LightIntegral ltc_integrate_polygon_part(int polygon, vec3 position, ltc_Fra
   sums.outline2 = 1.0;
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   bool lit = side != 0.0;
-  if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
+  if (ltc_both_hold(lit, ltc_either_holds(exact_diffuse > 0.0, exact_specular > 0.0))) {
     sums = ltc_sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }
-  if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
+  if (ltc_both_hold(lit, ltc_either_holds(exact_diffuse < 1.0, exact_specular < 1.0))) {
     ltc_SmallPolygon small = ltc_small_polygon(polygon, center, frame, h, side);
     vec3 none = vec3(0.0, 0.0, 0.0);
     sums.diffuse = sums.diffuse +
-                   (exact_diffuse < 1.0 ?
-                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
+                   ltc_select(exact_diffuse < 1.0,
+                              ltc_sum_small_polygon(small, ltc_cosine_lobe()) *
+                              (1.0 - exact_diffuse), none);
     sums.specular = sums.specular +
-                    (exact_specular < 1.0 ?
-                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+                    ltc_select(exact_specular < 1.0,
+                               ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular), none);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
@@ -2156,8 +2209,8 @@ ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, vec3 position, ltc_Fram
     // What the plane may cut is summed by its edges, however small.
     if (cut) {
       bool in_front = dot(front, center) > radius;
-      exact_diffuse = in_front ? exact_diffuse : 1.0;
-      exact_specular = in_front ? exact_specular : 1.0;
+      exact_diffuse = ltc_select(in_front, exact_diffuse, 1.0);
+      exact_specular = ltc_select(in_front, exact_specular, 1.0);
     }
   }
 
@@ -2167,20 +2220,21 @@ ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, vec3 position, ltc_Fram
   sums.outline2 = 1.0;
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   bool lit = side != 0.0;
-  if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
+  if (ltc_both_hold(lit, ltc_either_holds(exact_diffuse > 0.0, exact_specular > 0.0))) {
     sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h, cut, front);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }
-  if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
+  if (ltc_both_hold(lit, ltc_either_holds(exact_diffuse < 1.0, exact_specular < 1.0))) {
     ltc_SmallPolygon small = ltc_small_quad(quad, center, frame, h, side);
     vec3 none = vec3(0.0, 0.0, 0.0);
     sums.diffuse = sums.diffuse +
-                   (exact_diffuse < 1.0 ?
-                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
+                   ltc_select(exact_diffuse < 1.0,
+                              ltc_sum_small_polygon(small, ltc_cosine_lobe()) *
+                              (1.0 - exact_diffuse), none);
     sums.specular = sums.specular +
-                    (exact_specular < 1.0 ?
-                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+                    ltc_select(exact_specular < 1.0,
+                               ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular), none);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
@@ -2307,19 +2361,21 @@ struct ltc_ConeSums {
 // in front of the plane with unit normal `front`.
 ltc_ConeSums ltc_sum_ellipse_cone(vec3 center, vec3 u, vec3 v, ltc_Lobe lobe, vec3 front,
                                   bool cut) {
-  vec3 up = vec3(0.0, 0.0, 1.0);
-  vec3 up_o = ltc_horizon_normal_cosine(lobe);
-  ltc_Cone cone = ltc_make_cone(center, u, v);
-  ltc_Cone cone_o = ltc_make_cone(ltc_to_cosine(lobe, center), ltc_to_cosine(lobe, u),
-                                  ltc_to_cosine(lobe, v));
   ltc_ConeSums sums;
-  sums.outline2 = ltc_cone_outline2(cone_o);
-  if (cut) {
-    sums.diffuse = ltc_clipped_cone_in_front(cone, up, front);
-    sums.specular = ltc_clipped_cone_in_front(cone_o, up_o, ltc_plane_normal_cosine(lobe, front));
-  } else {
-    sums.diffuse = ltc_clipped_cone(cone, up);
-    sums.specular = ltc_clipped_cone(cone_o, up_o);
+  sums.specular = vec3(0.0, 0.0, 0.0);
+  ltc_Lobe now = ltc_cosine_lobe();
+  for (int i = 0; i < 2; ++i) {
+    ltc_Cone cone = ltc_make_cone(ltc_to_cosine(now, center), ltc_to_cosine(now, u),
+                                  ltc_to_cosine(now, v));
+    vec3 up = ltc_horizon_normal_cosine(now);
+    sums.diffuse = sums.specular;
+    sums.outline2 = ltc_cone_outline2(cone);
+    if (cut) {
+      sums.specular = ltc_clipped_cone_in_front(cone, up, ltc_plane_normal_cosine(now, front));
+    } else {
+      sums.specular = ltc_clipped_cone(cone, up);
+    }
+    now = lobe;
   }
   return sums;
 }
@@ -2328,11 +2384,11 @@ ltc_ConeSums ltc_sum_ellipse_cone(vec3 center, vec3 u, vec3 v, ltc_Lobe lobe, ve
 float ltc_ellipse_side(vec3 center, vec3 u, vec3 v, float two_sided) {
   vec3 normal = cross(u, v);
   float h = dot(center, normal) * inversesqrt(max(dot(normal, normal), ltc_k_tiny));
-  float side = h < 0.0 ? 1.0 : two_sided;
-  side = ltc_lies_in_plane(h, center, 0.0) ? 0.0 : side;
+  float side = ltc_select(h < 0.0, 1.0, two_sided);
+  side = ltc_select(ltc_lies_in_plane(h, center, 0.0), 0.0, side);
   // Its highest point: an ellipse below the horizon gives nothing, rounding or not.
   float reach = sqrt(u.z * u.z + v.z * v.z);
-  return center.z + reach > 0.0 ? side : 0.0;
+  return ltc_select(center.z + reach > 0.0, side, 0.0);
 }
 
 // integrate_ellipse; where `cut`, over what is in front of the plane with unit normal `front`
@@ -2418,8 +2474,9 @@ ltc_LightIntegral ltc_integrate_sphere_part(ltc_Sphere sphere, vec3 position, lt
   u = u * radius;
   ltc_ConeSums sums = ltc_sum_ellipse_cone(center, u, v, lobe, front, cut);
   // Below the horizon it gives nothing, rounding or not.
-  bool seen = distance2 > sphere.radius * sphere.radius && center.z + sphere.radius > 0.0;
-  float outside = seen ? 1.0 : 0.0;
+  bool seen = ltc_both_hold(distance2 > sphere.radius * sphere.radius,
+                            center.z + sphere.radius > 0.0);
+  float outside = ltc_select(seen, 1.0, 0.0);
   return ltc_light_integral(sums.diffuse * outside, sums.specular * outside, lobe, sums.outline2);
 }
 
@@ -2503,7 +2560,7 @@ vec3 ltc_line_term(vec3 p, vec3 q) {
 // The same of a segment in cosine space, clipped to both horizons; see clip_edge.
 vec3 ltc_clipped_line_term(vec3 a_o, vec3 b_o, float a_z, float b_z) {
   ltc_ClippedEdge edge = ltc_clip_edge(a_o, b_o, a_z, b_z);
-  return edge.outside ? vec3(0.0, 0.0, 0.0) : ltc_line_term(edge.p0, edge.p1);
+  return ltc_select(edge.outside, vec3(0.0, 0.0, 0.0), ltc_line_term(edge.p0, edge.p1));
 }
 
 // 2 pi times the vector irradiance of a strip of width 1 in shading space around the segment from a
@@ -2544,8 +2601,8 @@ ltc_LightIntegral ltc_integrate_line_in_front(ltc_Line line, vec3 position, ltc_
   ltc_FrontSegment part = ltc_segment_in_front(ltc_to_shading(frame, line.from - position),
                                                ltc_to_shading(frame, line.to - position), front);
   ltc_LightIntegral integral = ltc_integrate_segment(part.a, part.b, lobe);
-  integral.diffuse = part.some ? integral.diffuse : 0.0;
-  integral.specular = part.some ? integral.specular : 0.0;
+  integral.diffuse = ltc_select(part.some, integral.diffuse, 0.0);
+  integral.specular = ltc_select(part.some, integral.specular, 0.0);
   return integral;
 }
 
@@ -2627,7 +2684,7 @@ ltc_SegmentRatio ltc_segment_ratio(ltc_Surface s, ltc_Lobe lobe, vec3 a, vec3 b,
     c = next_c;
     n = next_n;
   }
-  float inv_total = edge.outside ? 0.0 : 1.0 / total;
+  float inv_total = ltc_select(edge.outside, 0.0, 1.0 / total);
   mean.scale = mean.scale * inv_total;
   mean.bias = mean.bias * inv_total;
   mean.direct = ltc_fresnel_weight(s.wo, ltc_safe_direction(ltc_from_cosine(lobe, all)));
@@ -2721,11 +2778,11 @@ ltc_TubeView ltc_tube_view(ltc_Tube tube, vec3 position, ltc_Frame frame) {
   vec3 foot = view.from - view.axis * dot(view.from, view.axis);
   float height2 = dot(foot, foot);
   bool on_axis = height2 <= 1.0e-12 * dot(view.from, view.from) + ltc_k_tiny;
-  view.w = on_axis ? ltc_any_perpendicular(view.axis) :
-           foot * inversesqrt(max(height2, ltc_k_tiny));
+  view.w = ltc_select(on_axis, ltc_any_perpendicular(view.axis),
+                      foot * inversesqrt(max(height2, ltc_k_tiny)));
   view.v = cross(view.axis, view.w);
   view.height = sqrt(height2);
-  view.beside = view.height > tube.radius && !on_axis;
+  view.beside = ltc_both_hold(view.height > tube.radius, !on_axis);
   float sine = min(tube.radius / max(view.height, ltc_k_tiny), 1.0);
   float cosine = sqrt(max((1.0 - sine) * (1.0 + sine), 0.0));
   view.left = (view.v * cosine - view.w * sine) * tube.radius;
@@ -2735,12 +2792,45 @@ ltc_TubeView ltc_tube_view(ltc_Tube tube, vec3 position, ltc_Frame frame) {
 
 // Which part of the outline of an end's cone bounds the tube.
 struct ltc_TubeEnd {
-  ltc_Cone cone; // of directions to the end, cosine space
-  ltc_Arc part;  // of its outline
-  float sign;    // -1: followed clockwise, 0: not at all
-  vec3 left;     // where it meets the edges, on the cone, unit, cosine space
-  vec3 right;    // and where it meets the other one
+  ltc_Cone cone;      // of directions to the end, cosine space
+  ltc_Arc part;       // of its outline
+  float sign;         // -1: followed clockwise, 0: not at all
+  vec3 left;          // where it meets the edges, on the cone, unit, cosine space
+  vec3 right;         // and where it meets the other one
+  vec3 left_touched;  // where the planes through the point touch it there, cosine space
+  vec3 right_touched; // and on the other side
 };
+
+// No end: sign 0.
+ltc_TubeEnd ltc_no_tube_end() {
+  vec3 none = vec3(0.0, 0.0, 0.0);
+  ltc_TubeEnd end;
+  end.cone.e1 = none;
+  end.cone.e2 = none;
+  end.cone.e3 = none;
+  end.cone.k1 = 0.0;
+  end.cone.k2 = 0.0;
+  end.cone.c1 = 1.0;
+  end.cone.c2 = 1.0;
+  end.part.start = 0.0;
+  end.part.extent = 0.0;
+  end.sign = 0.0;
+  end.left = none;
+  end.right = none;
+  end.left_touched = none;
+  end.right_touched = none;
+  return end;
+}
+
+// The same end with left and right exchanged: as the outline comes by on its way back.
+ltc_TubeEnd ltc_turned_end(ltc_TubeEnd end) {
+  ltc_TubeEnd turned = end;
+  turned.left = end.right;
+  turned.right = end.left;
+  turned.left_touched = end.right_touched;
+  turned.right_touched = end.left_touched;
+  return turned;
+}
 
 // One end. `center`, `away`: its centre and the unit direction out of it along the axis, shading
 // space; `first`: whether it is the one at Tube.from, through which the outline runs from right to
@@ -2751,25 +2841,27 @@ ltc_TubeEnd ltc_tube_end(ltc_Tube tube, ltc_TubeView view, vec3 center, vec3 awa
   float distance2 = dot(center, center);
   vec3 direction = center * inversesqrt(max(distance2, ltc_k_tiny));
   vec3 u = ltc_any_perpendicular(direction);
-  float radius = round ? ltc_tangent_disk_radius(distance2, tube.radius) : tube.radius;
-  vec3 a = (round ? u : view.w) * radius;
-  vec3 b = (round ? cross(direction, u) : view.v) * radius;
+  float radius = ltc_select(round, ltc_tangent_disk_radius(distance2, tube.radius), tube.radius);
+  vec3 a = ltc_select(round, u, view.w) * radius;
+  vec3 b = ltc_select(round, cross(direction, u), view.v) * radius;
   ltc_TubeEnd result;
   result.cone = ltc_make_cone(ltc_to_cosine(lobe, center), ltc_to_cosine(lobe, a),
                               ltc_to_cosine(lobe, b));
-  float left = ltc_outline_parameter(result.cone, ltc_to_cosine(lobe, center + view.left));
-  float right = ltc_outline_parameter(result.cone, ltc_to_cosine(lobe, center + view.right));
+  result.left_touched = ltc_to_cosine(lobe, center + view.left);
+  result.right_touched = ltc_to_cosine(lobe, center + view.right);
+  float left = ltc_outline_parameter(result.cone, result.left_touched);
+  float right = ltc_outline_parameter(result.cone, result.right_touched);
   result.left = ltc_cone_direction(result.cone, left);
   result.right = ltc_cone_direction(result.cone, right);
   // An open end that one looks into: the other arc, backwards.
-  bool into = !ltc_has_caps(tube) && dot(center, away) < 0.0;
-  float forth = ltc_wrapped_turn(first ? left - right : right - left);
-  float back = ltc_wrapped_turn(first ? right - left : left - right);
-  float begin = first ? right : left;
-  float end = first ? left : right;
-  result.part.start = into ? end : begin;
-  result.part.extent = view.beside ? (into ? back : forth) : 2.0 * ltc_k_pi;
-  result.sign = view.beside ? (into ? -1.0 : 1.0) : (whole ? 1.0 : 0.0);
+  bool into = ltc_both_hold(!ltc_has_caps(tube), dot(center, away) < 0.0);
+  float forth = ltc_wrapped_turn(ltc_select(first, left - right, right - left));
+  float back = ltc_wrapped_turn(ltc_select(first, right - left, left - right));
+  float begin = ltc_select(first, right, left);
+  float end = ltc_select(first, left, right);
+  result.part.start = ltc_select(into, end, begin);
+  result.part.extent = ltc_select(view.beside, ltc_select(into, back, forth), 2.0 * ltc_k_pi);
+  result.sign = ltc_select(view.beside, ltc_select(into, -1.0, 1.0), ltc_select(whole, 1.0, 0.0));
   return result;
 }
 
@@ -2777,9 +2869,9 @@ ltc_TubeEnd ltc_tube_end(ltc_Tube tube, ltc_TubeView view, vec3 center, vec3 awa
 // the view; less than 0 for an open end that one looks into. `facing`: the cosine between its direction and that
 // out of it along the axis.
 float ltc_thin_end_area(ltc_Tube tube, float facing) {
-  bool into = !ltc_has_caps(tube) && facing < 0.0;
+  bool into = ltc_both_hold(!ltc_has_caps(tube), facing < 0.0);
   return 0.5 * ltc_k_pi * tube.radius * tube.radius *
-         (ltc_has_round_caps(tube) ? 1.0 : abs(facing)) * (into ? -1.0 : 1.0);
+         ltc_select(ltc_has_round_caps(tube), 1.0, abs(facing)) * ltc_select(into, -1.0, 1.0);
 }
 
 // 2 pi times the vector irradiance of that, as a small light (density times solid angle: docs/method.md,
@@ -2792,8 +2884,8 @@ vec3 ltc_thin_end_term(ltc_Tube tube, vec3 center, vec3 away, ltc_Lobe lobe) {
   vec3 o = ltc_to_cosine(lobe, center);
   float inv_o = inversesqrt(max(dot(o, o), ltc_k_tiny));
   float solid_angle_o = area * lobe.det * (distance * inv_o) * (inv_o * inv_o);
-  bool above = center.z > 0.0 && o.z > 0.0;
-  return above ? o * (2.0 * solid_angle_o * inv_o) : vec3(0.0, 0.0, 0.0);
+  bool above = ltc_both_hold(center.z > 0.0, o.z > 0.0);
+  return ltc_select(above, o * (2.0 * solid_angle_o * inv_o), vec3(0.0, 0.0, 0.0));
 }
 
 // Angular radius of a tube in the space that `lobe` leads to, at most, where it is closest.
@@ -2808,8 +2900,55 @@ float ltc_tube_thickness(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe) {
 // Whether a point that is not beside the tube is in front of its closed end at `center`, shading space: that lies
 // `along` metres ahead, on the way into the tube.
 bool ltc_sees_end(ltc_Tube tube, vec3 center, float along) {
-  return along > 0.0 && ltc_has_caps(tube) &&
-         (!ltc_has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
+  return ltc_both_hold(ltc_both_hold(along > 0.0, ltc_has_caps(tube)),
+                       ltc_either_holds(!ltc_has_round_caps(tube),
+                                        dot(center, center) > tube.radius * tube.radius));
+}
+
+// Both ends of a tube.
+struct ltc_TubeEnds {
+  ltc_TubeEnd first;  // at Tube.from
+  ltc_TubeEnd second; // at Tube.to
+};
+
+// Those of a tube in the space that `lobe` leads to; see_from, see_to: see tube_end's `whole`.
+ltc_TubeEnds ltc_tube_ends(ltc_Tube tube, ltc_TubeView view, bool see_from, bool see_to,
+                           ltc_Lobe lobe) {
+  ltc_TubeEnds ends;
+  ends.second = ltc_no_tube_end();
+  for (int i = 0; i < 2; ++i) {
+    bool first = i == 0;
+    ends.first = ends.second;
+    ends.second = ltc_tube_end(tube, view, ltc_select(first, view.from, view.to),
+                               ltc_select(first, -view.axis, view.axis), first,
+                               ltc_select(first, see_from, see_to), lobe);
+  }
+  return ends;
+}
+
+// One end after the other, along the outline: that one first, and left what was right.
+ltc_TubeEnds ltc_turned_ends(ltc_TubeEnds ends) {
+  ltc_TubeEnds turned;
+  turned.first = ltc_turned_end(ends.second);
+  turned.second = ltc_turned_end(ends.first);
+  return turned;
+}
+
+// Some point where the outline crosses the plane with unit normal `front`, if it does. inside: a point within the
+// end that one sees who is not beside the tube; beside: 1 or 0.
+vec3 ltc_tube_crossing(ltc_TubeEnds ends, bool beside, vec3 inside, vec3 front) {
+  ltc_TubeEnds now = ends;
+  vec3 q = ltc_select(beside, ends.first.left, inside);
+  for (int i = 0; i < 2; ++i) {
+    q = ltc_select(now.first.sign != 0.0,
+                   ltc_arc_crossing(now.first.cone, now.first.part, front, q), q);
+    now = ltc_turned_ends(now);
+  }
+  for (int i = 0; i < 2; ++i) {
+    q = ltc_select(beside, ltc_edge_crossing(now.first.left, now.second.left, front, q), q);
+    now = ltc_turned_ends(now);
+  }
+  return q;
 }
 
 // Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
@@ -2818,58 +2957,54 @@ vec3 ltc_sum_tube_outline(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe, vec3 
   // Not beside the tube: in front of one of its ends.
   bool see_from = ltc_sees_end(tube, view.from, dot(view.from, view.axis));
   bool see_to = ltc_sees_end(tube, view.to, -dot(view.to, view.axis));
-
-  ltc_TubeEnd first = ltc_tube_end(tube, view, view.from, -view.axis, true, see_from, lobe);
-  ltc_TubeEnd second = ltc_tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
-
-  vec3 from_left_o = ltc_to_cosine(lobe, view.from + view.left);
-  vec3 from_right_o = ltc_to_cosine(lobe, view.from + view.right);
-  vec3 to_left_o = ltc_to_cosine(lobe, view.to + view.left);
-  vec3 to_right_o = ltc_to_cosine(lobe, view.to + view.right);
-  float edges = view.beside ? 1.0 : 0.0;
+  ltc_TubeEnds ends = ltc_tube_ends(tube, view, see_from, see_to, lobe);
+  float edges = ltc_select(view.beside, 1.0, 0.0);
   vec3 up = ltc_horizon_normal_cosine(lobe);
-  bool whole = ltc_cone_is_above(first.cone, up) && ltc_cone_is_above(second.cone, up);
+  bool whole = ltc_both_hold(ltc_cone_is_above(ends.first.cone, up),
+                             ltc_cone_is_above(ends.second.cone, up));
   if (cut) {
-    whole = whole && ltc_cone_is_above(first.cone, front) && ltc_cone_is_above(second.cone, front);
-  }
-  vec3 all = ltc_edge_term(from_left_o, to_left_o, to_left_o - from_left_o) * edges +
-             ltc_edge_term(to_right_o, from_right_o, from_right_o - to_right_o) * edges +
-             ltc_arc_term(first.cone, first.part) * first.sign +
-             ltc_arc_term(second.cone, second.part) * second.sign;
-  // Uniform shortcut: no lane needs to clip.
-  if (whole) {
-    return all;
+    whole = ltc_both_hold(ltc_both_hold(whole, ltc_cone_is_above(ends.first.cone, front)),
+                          ltc_cone_is_above(ends.second.cone, front));
   }
   // The apex is on the side where the y axis comes closest to the tube's line: if it meets the tube,
   // it does so around there. A point that is not beside the tube sees one end alone.
   float along = -(view.from.x * view.axis.x + view.from.z * view.axis.z) /
                 max(view.axis.x * view.axis.x + view.axis.z * view.axis.z, 1.0e-12);
-  float y_end = see_from ? first.cone.e3.y : second.cone.e3.y;
-  float y = view.beside ? view.from.y + view.axis.y * along : y_end;
-  float s = y < 0.0 ? -1.0 : 1.0;
-  // Edges run between the very points where the arcs end, so that all is one closed outline.
-  vec3 a = first.left;
-  vec3 b = second.left;
-  vec3 c = second.right;
-  vec3 d = first.right;
+  vec3 inside = ltc_select(see_from, ends.first.cone.e3, ends.second.cone.e3);
+  float y = ltc_select(view.beside, view.from.y + view.axis.y * along, inside.y);
+  float s = ltc_select(y < 0.0, -1.0, 1.0);
+  // Uniform shortcut: no lane needs to clip.
+  bool clip = !whole;
+  vec3 q = inside;
   if (cut) {
-    // Some point where the outline crosses the plane, if it does.
-    vec3 q = view.beside ? a : (see_from ? first.cone.e3 : second.cone.e3);
-    q = first.sign != 0.0 ? ltc_arc_crossing(first.cone, first.part, front, q) : q;
-    q = second.sign != 0.0 ? ltc_arc_crossing(second.cone, second.part, front, q) : q;
-    q = view.beside ? ltc_edge_crossing(a, b, front, q) : q;
-    q = view.beside ? ltc_edge_crossing(c, d, front, q) : q;
-    vec3 part = ltc_edge_in_front(a, b, q, up, front, s) * edges +
-                ltc_edge_in_front(c, d, q, up, front, s) * edges +
-                ltc_arc_in_front(first.cone, first.part, q, up, front, s) * first.sign +
-                ltc_arc_in_front(second.cone, second.part, q, up, front, s) * second.sign;
-    return whole ? all : part;
+    if (clip) {
+      q = ltc_tube_crossing(ends, view.beside, inside, front);
+    }
   }
-  vec3 clipped = ltc_closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
-                 ltc_closed_edge_term(c, d, dot(up, c), dot(up, d), s) * edges +
-                 ltc_clipped_arc_term(first.cone, first.part, up, s) * first.sign +
-                 ltc_clipped_arc_term(second.cone, second.part, up, s) * second.sign;
-  return whole ? all : clipped;
+  vec3 all = vec3(0.0, 0.0, 0.0);
+  vec3 clipped = all;
+  // The edge from one end to the other and the arc around the one, then back again.
+  for (int i = 0; i < 2; ++i) {
+    vec3 a = ends.first.left_touched;
+    vec3 b = ends.second.left_touched;
+    all = all + ltc_edge_term(a, b, b - a) * edges +
+          ltc_arc_term(ends.first.cone, ends.first.part) * ends.first.sign;
+    if (clip) {
+      // Between the very points where the arcs end, so that all is one closed outline.
+      a = ends.first.left;
+      b = ends.second.left;
+      if (cut) {
+        clipped = clipped + ltc_edge_in_front(a, b, q, up, front, s) * edges +
+                  ltc_arc_in_front(ends.first.cone, ends.first.part, q, up, front, s) *
+                  ends.first.sign;
+      } else {
+        clipped = clipped + ltc_closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
+                  ltc_clipped_arc_term(ends.first.cone, ends.first.part, up, s) * ends.first.sign;
+      }
+    }
+    ends = ltc_turned_ends(ends);
+  }
+  return ltc_select(whole, all, clipped);
 }
 
 // light_concentration's outline2 of a tube, whose length segment_ratio sees to: of the two points that
@@ -2915,7 +3050,7 @@ vec3 ltc_sum_tube(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe, vec3 front,
   if (cut) {
     float thinner = min(max((thickness - ltc_k_wholly_thin_cut) * ltc_k_inv_thin_range_cut, 0.0),
                         1.0);
-    exact = heights.low < 0.0 && heights.high > 0.0 ? thinner : exact;
+    exact = ltc_select(ltc_both_hold(heights.low < 0.0, heights.high > 0.0), thinner, exact);
     ltc_FrontSegment part = ltc_segment_in_front(from, to, front);
     from_seen = dot(front, from) > 0.0;
     to_seen = dot(front, to) > 0.0;
@@ -2930,10 +3065,10 @@ vec3 ltc_sum_tube(ltc_Tube tube, ltc_TubeView view, ltc_Lobe lobe, vec3 front,
   }
   if (exact < 1.0) {
     vec3 none = vec3(0.0, 0.0, 0.0);
-    vec3 thin = (strip_seen ? ltc_sum_line(from, to, lobe) * (2.0 * tube.radius) : none) +
-                (from_seen ? ltc_thin_end_term(tube, view.from, -view.axis, lobe) : none) +
-                (to_seen ? ltc_thin_end_term(tube, view.to, view.axis, lobe) : none);
-    sum = sum + (exact < 1.0 ? thin * (1.0 - exact) : none);
+    vec3 thin = ltc_select(strip_seen, ltc_sum_line(from, to, lobe) * (2.0 * tube.radius), none) +
+                ltc_select(from_seen, ltc_thin_end_term(tube, view.from, -view.axis, lobe), none) +
+                ltc_select(to_seen, ltc_thin_end_term(tube, view.to, view.axis, lobe), none);
+    sum = sum + ltc_select(exact < 1.0, thin * (1.0 - exact), none);
   }
   return sum;
 }
@@ -2945,7 +3080,7 @@ ltc_Heights ltc_tube_heights(ltc_Tube tube, vec3 position, vec3 normal) {
   vec3 axis = ltc_safe_direction(tube.to - tube.from);
   float along = dot(normal, axis);
   float reach = tube.radius *
-                (ltc_has_round_caps(tube) ? 1.0 : sqrt(max(1.0 - along * along, 0.0)));
+                ltc_select(ltc_has_round_caps(tube), 1.0, sqrt(max(1.0 - along * along, 0.0)));
   ltc_Heights heights;
   heights.low = min(from, to) - reach;
   heights.high = max(from, to) + reach;
@@ -2962,8 +3097,9 @@ float ltc_lift_share(float height, float radius) {
 // 1 where a tube's highest point is above the horizon: below it gives nothing, rounding or not; else 0.
 float ltc_tube_seen_above(ltc_Tube tube, ltc_TubeView view) {
   float reach = tube.radius *
-                (ltc_has_round_caps(tube) ? 1.0 : sqrt(max(1.0 - view.axis.z * view.axis.z, 0.0)));
-  return max(view.from.z, view.to.z) + reach > 0.0 ? 1.0 : 0.0;
+                ltc_select(ltc_has_round_caps(tube), 1.0,
+                           sqrt(max(1.0 - view.axis.z * view.axis.z, 0.0)));
+  return ltc_select(max(view.from.z, view.to.z) + reach > 0.0, 1.0, 0.0);
 }
 
 // integrate_tube; where `cut`, over what is in front of the plane with unit normal `front` (shading
@@ -2973,9 +3109,15 @@ ltc_LightIntegral ltc_integrate_tube_part(ltc_Tube tube, vec3 position, ltc_Fram
                                           bool cut) {
   ltc_TubeView view = ltc_tube_view(tube, position, frame);
   float seen = ltc_tube_seen_above(tube, view);
-  return ltc_light_integral(ltc_sum_tube(tube, view, ltc_cosine_lobe(), front, heights, cut) * seen,
-                            ltc_sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
-                            ltc_tube_outline2(tube, view, lobe));
+  vec3 diffuse = vec3(0.0, 0.0, 0.0);
+  vec3 specular = diffuse;
+  ltc_Lobe now = ltc_cosine_lobe();
+  for (int i = 0; i < 2; ++i) {
+    diffuse = specular;
+    specular = ltc_sum_tube(tube, view, now, front, heights, cut) * seen;
+    now = lobe;
+  }
+  return ltc_light_integral(diffuse, specular, lobe, ltc_tube_outline2(tube, view, lobe));
 }
 
 // ---- tube surface -------------------------------------------------------------------------------
@@ -3030,14 +3172,14 @@ ltc_TubeRatio ltc_ratio_of_tube(ltc_Surface s, ltc_Tube tube, ltc_LightIntegral 
                                 float share) {
   float w = ltc_ratio_weight(integral, share);
   vec3 axis = ltc_safe_direction(tube.to - tube.from);
-  float reach = ltc_has_round_caps(tube) ? ltc_k_round_reach * tube.radius : 0.0;
+  float reach = ltc_select(ltc_has_round_caps(tube), ltc_k_round_reach * tube.radius, 0.0);
   vec3 from = ltc_to_shading(s.frame, tube.from - axis * reach - s.position);
   vec3 to = ltc_to_shading(s.frame, tube.to + axis * reach - s.position);
   ltc_SegmentRatio ratio = ltc_tube_ratio(s, s.fitted.lobe, from, to, tube.radius, w);
   bool along = ratio.scale > 0.0;
   ltc_TubeRatio result;
-  result.beyond = along ? ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct : 0.0;
-  result.scale = along ? ratio.scale : 1.0;
+  result.beyond = ltc_select(along, ratio.bias / max(ratio.scale, ltc_k_tiny) - ratio.direct, 0.0);
+  result.scale = ltc_select(along, ratio.scale, 1.0);
   return result;
 }
 
@@ -3188,10 +3330,10 @@ vec3 ltc_emission_seen_part(ltc_Quad emission, sampler2D emission_picture, vec3 
   vec3 normal = cross(axis_u, axis_v);
   float height = dot(corner, normal);
   float slope = dot(aim, normal);
-  bool meets = slope * height > 0.0 && abs(slope) > 1.0e-6;
-  vec3 on_plane = aim * (height / (meets ? slope : 1.0)) - corner;
-  float m_u = meets ? min(max(dot(on_plane, axis_u), 0.0), extent.x) : extent.x * 0.5;
-  float m_v = meets ? min(max(dot(on_plane, axis_v), 0.0), extent.y) : extent.y * 0.5;
+  bool meets = ltc_both_hold(slope * height > 0.0, abs(slope) > 1.0e-6);
+  vec3 on_plane = aim * (height / ltc_select(meets, slope, 1.0)) - corner;
+  float m_u = ltc_select(meets, min(max(dot(on_plane, axis_u), 0.0), extent.x), extent.x * 0.5);
+  float m_v = ltc_select(meets, min(max(dot(on_plane, axis_v), 0.0), extent.y), extent.y * 0.5);
   vec3 m = corner + axis_u * m_u + axis_v * m_v;
 
   // The quadratic form about m, in 1 / metre^2, and its axes.
@@ -3217,7 +3359,7 @@ vec3 ltc_emission_seen_part(ltc_Quad emission, sampler2D emission_picture, vec3 
                                      ltc_k_tiny));
   float c = sqrt(max(0.5 + 0.5 * cos_double, 0.0));
   float s = sqrt(max(0.5 - 0.5 * cos_double, 0.0));
-  s = form_uv < 0.0 ? -s : s;
+  s = ltc_select(form_uv < 0.0, -s, s);
   float cross_form = 2.0 * c * s * form_uv;
   float narrow_width = inversesqrt(max(c * c * form_uu + s * s * form_vv + cross_form, 1.0e-12));
   float wide_width = inversesqrt(max(s * s * form_uu + c * c * form_vv - cross_form, 1.0e-12));

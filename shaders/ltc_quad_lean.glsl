@@ -511,54 +511,6 @@ float ltc_angle_of_unit(float c, float s) {
   return c < 0.0 ? half_turn - acute : acute;
 }
 
-// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
-// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
-// counts as it is.
-struct ltc_EdgeAbove {
-  vec3 term;      // its contribution to the vector irradiance, times 2 pi
-  float turn_cos; // 1 where nothing was cut
-  float turn_sin; // 0 where nothing was cut
-};
-
-// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-ltc_EdgeAbove ltc_edge_above(vec3 a, vec3 b, float s, float inv_a, float inv_b) {
-  bool a_up = a.z >= 0.0;
-  bool b_up = b.z >= 0.0;
-  vec3 d = b - a;
-  float t = ltc_crossing_place(a.z, b.z);
-  vec3 q = vec3(a.x + d.x * t, a.y + d.y * t, 0.0);
-  float inv_q = ltc_inverse_length(q);
-  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
-  ltc_EdgeAbove edge;
-  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
-                                   b_up ? inv_b : inv_q);
-  edge.term = a_up || b_up ? edge.term : vec3(0.0, 0.0, 0.0);
-  bool leaves = a_up && !b_up;
-  bool enters = b_up && !a_up;
-  float inv_s = inv_q * s;
-  float x = q.x * inv_s;
-  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
-  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
-  return edge;
-}
-
-// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
-// other.
-ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
-  ltc_EdgeAbove sum;
-  sum.term = a.term + b.term;
-  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
-  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
-  return sum;
-}
-
-// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
-// about z leads backwards; it holds whatever rounding makes of an angle near 0.
-vec3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
-  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
-  return vec3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
-}
-
 // ---- light --------------------------------------------------------------------------------------
 //
 // What lights of all shapes share: their integral, a point of one, and the planes of flat ones.
@@ -582,6 +534,7 @@ struct ltc_LightIntegral {
   float diffuse;           // integral of cos/pi over the light, 0..1
   float specular;          // integral of the lobe's density, both horizons respected, 0..1
   vec3 specular_direction; // shading space, unit
+  float second;            // integral of a second lobe's density, see with_second_lobe; else 0
 };
 
 // From the vector irradiances times 2 pi; outline2: see light_concentration.
@@ -589,6 +542,7 @@ ltc_LightIntegral ltc_light_integral(vec3 diffuse, vec3 specular, ltc_Lobe lobe)
   ltc_LightIntegral result;
   result.diffuse = min(max(diffuse.z * ltc_k_half_inv_pi, 0.0), 1.0);
   result.specular = min(max(specular.z * ltc_k_half_inv_pi, 0.0), 1.0);
+  result.second = 0.0;
   result.specular_direction = ltc_safe_direction(ltc_from_cosine(lobe, specular));
   return result;
 }
@@ -630,6 +584,7 @@ struct ltc_Surface {
   vec3 specular;         // F0 n1 + (F90 - F0) n5, the specular albedo
   float axis_weight;     // n5/n1 less Schlick's weight in the lobe's mean direction
   float inv_share;       // weight of the lobe, 1 if it is the only one, over its share_above_horizon
+  ltc_Lobe second;       // the second lobe
 };
 
 // Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
@@ -656,6 +611,7 @@ ltc_Surface ltc_make_surface(ltc_FittedLobe fitted, vec3 position, vec3 normal, 
   s.axis_weight = fitted.n5 * (1.0 / max(fitted.n1, ltc_k_tiny)) - ltc_fresnel_weight(s.wo, mean);
   float taken = max(max(s.specular.x, s.specular.y), s.specular.z);
   s.diffuse = albedo * max(1.0 - taken, 0.0);
+  s.second = fitted.lobe;
   return s;
 }
 
@@ -678,6 +634,7 @@ ltc_LightIntegral ltc_unless_in_plane(ltc_Surface s, vec3 origin, vec3 normal,
   bool sided = ltc_has_side(s, origin, normal);
   integral.diffuse = sided ? integral.diffuse : 0.0;
   integral.specular = sided ? integral.specular : 0.0;
+  integral.second = sided ? integral.second : 0.0;
   return integral;
 }
 
@@ -742,43 +699,11 @@ ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
 //
 // Source: the edge sum of edge.glsl.
 
-// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
-// normal, meets the y axis.
-float ltc_apex_side(float normal_y, float h) { return normal_y * h < 0.0 ? -1.0 : 1.0; }
-
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   vec3 diffuse;  // 2 pi times the vector irradiance of the clipped polygon in shading space
   vec3 specular; // the same in cosine space
 };
-
-// A corner of an outline as a point sees it.
-struct ltc_Corner {
-  vec3 p;      // shading space
-  vec3 o;      // cosine space
-  float inv_p; // 1 / length
-  float inv_o; // 1 / length
-};
-
-// The corner at p of shading space.
-ltc_Corner ltc_corner_at(vec3 p, ltc_Lobe lobe) {
-  ltc_Corner corner;
-  corner.p = p;
-  corner.o = ltc_to_cosine(lobe, p);
-  corner.inv_p = ltc_inverse_length(corner.p);
-  corner.inv_o = ltc_inverse_length(corner.o);
-  return corner;
-}
-
-// And above the surface's horizon, clipped to the cosine's, not yet closed.
-ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
-  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
-}
-
-// The same of an edge above both horizons.
-vec3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
-  return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
-}
 
 // ---- convex quad --------------------------------------------------------------------------------
 //
@@ -792,10 +717,109 @@ vec3 ltc_horizon_point(vec3 a, vec3 b) {
   return vec3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
 }
 
-// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
-// h: signed distance of its plane along its normal.
-ltc_EdgeSums ltc_sum_convex_quad(vec3 corner0, vec3 corner1, vec3 corner2, vec3 corner3, float s,
-                                 float h, ltc_Lobe lobe) {
+// Five corners of a convex outline in its order, of which some may coincide.
+struct ltc_FiveCorners {
+  vec3 first;  // shading space
+  vec3 second; // see first
+  vec3 third;  // see first
+  vec3 fourth; // see first
+  vec3 fifth;  // see first
+};
+
+// The same, from the second on.
+ltc_FiveCorners ltc_next_corner_first(ltc_FiveCorners corners) {
+  ltc_FiveCorners next;
+  next.first = corners.second;
+  next.second = corners.third;
+  next.third = corners.fourth;
+  next.fourth = corners.fifth;
+  next.fifth = corners.first;
+  return next;
+}
+
+// 2 pi times the vector irradiance of what they bound, which is above the horizon, shading space.
+vec3 ltc_sum_corners(ltc_FiveCorners corners) {
+  ltc_FiveCorners left = corners;
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  vec3 a = corners.fifth;
+  float inv_a = ltc_inverse_length(a);
+  for (int i = 0; i < 5; ++i) {
+    vec3 b = left.first;
+    float inv_b = ltc_inverse_length(b);
+    sum = sum + ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return sum;
+}
+
+// The sum over a convex outline in cosine space, and where it crosses the cosine's horizon: at most once either way.
+struct ltc_ConvexSum {
+  vec3 term;   // 2 pi times the vector irradiance, not yet closed
+  vec3 enters; // where the outline comes up, unit
+  vec3 leaves; // and where it goes down
+};
+
+// No edges yet.
+ltc_ConvexSum ltc_no_convex_edges() {
+  ltc_ConvexSum sum;
+  sum.term = vec3(0.0, 0.0, 0.0);
+  sum.enters = vec3(1.0, 0.0, 0.0);
+  sum.leaves = sum.enters;
+  return sum;
+}
+
+// The edge from a to b, cosine space, cut by its horizon without a branch: of an edge below it the length is 0. inv_a,
+// inv_b: 1 / their lengths.
+ltc_ConvexSum ltc_add_convex_edge(ltc_ConvexSum sum, vec3 a, vec3 b, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  vec3 along = b - a;
+  float t = ltc_crossing_place(a.z, b.z);
+  vec3 cut = vec3(a.x + along.x * t, a.y + along.y * t, 0.0);
+  float inv_cut = ltc_inverse_length(cut);
+  vec3 unit = cut * inv_cut;
+  float extent = a_up ? (b_up ? 1.0 : t) : (b_up ? 1.0 - t : 0.0);
+  ltc_ConvexSum next;
+  next.term = sum.term +
+              ltc_edge_term_scaled(a_up ? a : cut, b_up ? b : cut, along * extent,
+                                   a_up ? inv_a : inv_cut, b_up ? inv_b : inv_cut);
+  next.enters = b_up && !a_up ? unit : sum.enters;
+  next.leaves = a_up && !b_up ? unit : sum.leaves;
+  return next;
+}
+
+// The specular sum of a whole outline, closed along the cosine's horizon. way: negative where a positive angle about z
+// leads backwards; it holds whatever rounding makes of an angle near 0.
+vec3 ltc_close_convex_outline(ltc_ConvexSum sum, float way) {
+  vec3 a = sum.leaves;
+  vec3 b = sum.enters;
+  float angle = abs(ltc_angle_of_unit(a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x));
+  return vec3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
+}
+
+// sum_corners in cosine space. way: see close_convex_outline.
+vec3 ltc_sum_corners_cosine(ltc_FiveCorners corners, ltc_Lobe lobe, float way) {
+  ltc_FiveCorners left = corners;
+  ltc_ConvexSum sum = ltc_no_convex_edges();
+  vec3 a = ltc_to_cosine(lobe, corners.fifth);
+  float inv_a = ltc_inverse_length(a);
+  for (int i = 0; i < 5; ++i) {
+    vec3 b = ltc_to_cosine(lobe, left.first);
+    float inv_b = ltc_inverse_length(b);
+    sum = ltc_add_convex_edge(sum, a, b, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return ltc_close_convex_outline(sum, way);
+}
+
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. h: signed
+// distance of its plane along its normal.
+ltc_EdgeSums ltc_sum_convex_quad(vec3 corner0, vec3 corner1, vec3 corner2, vec3 corner3, float h,
+                                 ltc_Lobe lobe) {
   vec3 a = corner0;
   vec3 b = corner1;
   vec3 c = corner2;
@@ -816,24 +840,16 @@ ltc_EdgeSums ltc_sum_convex_quad(vec3 corner0, vec3 corner1, vec3 corner2, vec3 
   vec3 last = three ? c : (two ? b : a);
   vec3 below = three ? d : (two ? c : b);
   vec3 leaves = four ? d : ltc_horizon_point(last, below);
-  ltc_Corner p0 = ltc_corner_at(four ? d : ltc_horizon_point(d, a), lobe);
-  ltc_Corner p1 = ltc_corner_at(a, lobe);
-  vec3 diffuse = ltc_whole_diffuse_term(p0, p1);
-  ltc_EdgeAbove specular = ltc_specular_edge(p0, p1, s);
-  ltc_Corner p2 = ltc_corner_at(two ? b : leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
-  ltc_Corner p3 = ltc_corner_at(three ? c : leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
-  ltc_Corner p4 = ltc_corner_at(leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
-  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  ltc_FiveCorners corners;
+  corners.first = a;
+  corners.second = two ? b : leaves;
+  corners.third = three ? c : leaves;
+  corners.fourth = leaves;
+  corners.fifth = four ? d : ltc_horizon_point(d, a);
   vec3 none = vec3(0.0, 0.0, 0.0);
   ltc_EdgeSums sums;
-  sums.diffuse = seen ? diffuse : none;
-  sums.specular = seen ? ltc_close_outline(specular, h * lobe.det) : none;
+  sums.diffuse = seen ? ltc_sum_corners(corners) : none;
+  sums.specular = seen ? ltc_sum_corners_cosine(corners, lobe, h * lobe.det) : none;
   return sums;
 }
 
@@ -845,8 +861,7 @@ ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, vec3 position, ltc_Frame fr
   vec3 b = ltc_to_shading(frame, ltc_quad_point(quad, 1) - position);
   vec3 c = ltc_to_shading(frame, ltc_quad_point(quad, 2) - position);
   vec3 d = ltc_to_shading(frame, ltc_quad_point(quad, 3) - position);
-  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, h, lobe);
   return sums;
 }
 
@@ -889,10 +904,14 @@ vec3 ltc_small_part_term(vec3 p, float area_height, ltc_Lobe lobe) {
 // both horizons: four parts, which have its area, centroid and second moments.
 vec3 ltc_sum_small_polygon(ltc_SmallPolygon small, ltc_Lobe lobe) {
   float quarter = 0.25 * small.area_height;
-  return ltc_small_part_term(small.center + small.u, quarter, lobe) +
-         ltc_small_part_term(small.center - small.u, quarter, lobe) +
-         ltc_small_part_term(small.center + small.v, quarter, lobe) +
-         ltc_small_part_term(small.center - small.v, quarter, lobe);
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  vec3 across = small.u;
+  for (int i = 0; i < 2; ++i) {
+    sum = sum + ltc_small_part_term(small.center + across, quarter, lobe) +
+          ltc_small_part_term(small.center - across, quarter, lobe);
+    across = small.v;
+  }
+  return sum;
 }
 
 // Square of the angular radius below which the small form begins, 0.05.

@@ -33,6 +33,17 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 
+// c ? a : b, a && b and a || b, of which all is computed. Browsers make branches of the signs, and many of them
+// in a loop take SwiftShader minutes to compile.
+float ltc_select(bool c, float a, float b) { return mix(b, a, c); }
+vec2 ltc_select(bool c, vec2 a, vec2 b) { return mix(b, a, bvec2(c)); }
+vec3 ltc_select(bool c, vec3 a, vec3 b) { return mix(b, a, bvec3(c)); }
+vec4 ltc_select(bool c, vec4 a, vec4 b) { return mix(b, a, bvec4(c)); }
+int ltc_select(bool c, int a, int b) { return int(c) * a + int(!c) * b; }
+bool ltc_select(bool c, bool a, bool b) { return bool(int(c) * int(a) + int(!c) * int(b)); }
+bool ltc_both_hold(bool a, bool b) { return all(bvec2(a, b)); }
+bool ltc_either_holds(bool a, bool b) { return any(bvec2(a, b)); }
+
 // ---- constants ----------------------------------------------------------------------------------
 //
 // Constants. CONSTANT is a compile-time scalar in every target.
@@ -129,8 +140,8 @@ struct ltc_Quad {
 
 // Corner i, counter-clockwise as seen from the front; 4 is the first again.
 vec3 ltc_quad_point(ltc_Quad quad, int i) {
-  float u = i == 1 || i == 2 ? 1.0 : -1.0;
-  float v = i == 2 || i == 3 ? 1.0 : -1.0;
+  float u = ltc_select(ltc_either_holds(i == 1, i == 2), 1.0, -1.0);
+  float v = ltc_select(ltc_either_holds(i == 2, i == 3), 1.0, -1.0);
   return quad.center + quad.half_u * u + quad.half_v * v;
 }
 
@@ -187,7 +198,7 @@ struct ltc_Frame {
 // A unit vector perpendicular to the unit vector n, without a branch: Duff et al. 2017, "Building an
 // Orthonormal Basis, Revisited", equation 3.
 vec3 ltc_any_perpendicular(vec3 n) {
-  float s = n.z < 0.0 ? -1.0 : 1.0;
+  float s = ltc_select(n.z < 0.0, -1.0, 1.0);
   float a = -1.0 / (s + n.z);
   return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
@@ -279,11 +290,11 @@ ltc_GgxTerms ltc_eval_ggx_terms(vec3 wo, vec3 wi, float alpha) {
   vec3 h = sum * inversesqrt(max(dot(sum, sum), ltc_k_tiny));
   float cos_o = wo.z;
   float cos_i = wi.z;
-  bool above = cos_i > 0.0 && cos_o > 0.0;
+  bool above = ltc_both_hold(cos_i > 0.0, cos_o > 0.0);
   float dv = ltc_ggx_distribution(h, alpha) *
              ltc_smith_visibility(max(cos_o, 0.0), max(cos_i, 0.0), alpha);
   ltc_GgxTerms terms;
-  terms.scale = above ? dv * cos_i : 0.0;
+  terms.scale = ltc_select(above, dv * cos_i, 0.0);
   return terms;
 }
 
@@ -478,7 +489,7 @@ float ltc_inverse_length(vec3 v) {
 vec3 ltc_safe_direction(vec3 v) {
   float length2 = dot(v, v);
   bool usable = length2 > ltc_k_tiny;
-  return usable ? v * inversesqrt(max(length2, ltc_k_tiny)) : vec3(0.0, 0.0, 1.0);
+  return ltc_select(usable, v * inversesqrt(max(length2, ltc_k_tiny)), vec3(0.0, 0.0, 1.0));
 }
 
 // theta / sin(theta) from x = cos(theta), for 0 <= theta <= pi/2; of -x for x < 0.
@@ -499,7 +510,7 @@ float ltc_acute_over_sin(float x) {
 // sin2 as well.
 float ltc_any_over_sin(float x, float sin2, float acute) {
   float inv_sin = inversesqrt(max(sin2, ltc_k_tiny));
-  return x < 0.0 ? ltc_k_pi * inv_sin - acute : acute;
+  return ltc_select(x < 0.0, ltc_k_pi * inv_sin - acute, acute);
 }
 
 // Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by
@@ -533,56 +544,8 @@ float ltc_crossing_place(float a, float b) {
 // Angle of a unit vector (c, s) from (1, 0), -pi..pi.
 float ltc_angle_of_unit(float c, float s) {
   float acute = s * ltc_acute_over_sin(c);
-  float half_turn = s < 0.0 ? -ltc_k_pi : ltc_k_pi;
-  return c < 0.0 ? half_turn - acute : acute;
-}
-
-// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
-// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
-// counts as it is.
-struct ltc_EdgeAbove {
-  vec3 term;      // its contribution to the vector irradiance, times 2 pi
-  float turn_cos; // 1 where nothing was cut
-  float turn_sin; // 0 where nothing was cut
-};
-
-// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-ltc_EdgeAbove ltc_edge_above(vec3 a, vec3 b, float s, float inv_a, float inv_b) {
-  bool a_up = a.z >= 0.0;
-  bool b_up = b.z >= 0.0;
-  vec3 d = b - a;
-  float t = ltc_crossing_place(a.z, b.z);
-  vec3 q = vec3(a.x + d.x * t, a.y + d.y * t, 0.0);
-  float inv_q = ltc_inverse_length(q);
-  float extent = a_up ? (b_up ? 1.0 : t) : 1.0 - t;
-  ltc_EdgeAbove edge;
-  edge.term = ltc_edge_term_scaled(a_up ? a : q, b_up ? b : q, d * extent, a_up ? inv_a : inv_q,
-                                   b_up ? inv_b : inv_q);
-  edge.term = a_up || b_up ? edge.term : vec3(0.0, 0.0, 0.0);
-  bool leaves = a_up && !b_up;
-  bool enters = b_up && !a_up;
-  float inv_s = inv_q * s;
-  float x = q.x * inv_s;
-  edge.turn_cos = leaves || enters ? q.y * inv_s : 1.0;
-  edge.turn_sin = leaves ? x : (enters ? -x : 0.0);
-  return edge;
-}
-
-// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
-// other.
-ltc_EdgeAbove ltc_join_edges(ltc_EdgeAbove a, ltc_EdgeAbove b) {
-  ltc_EdgeAbove sum;
-  sum.term = a.term + b.term;
-  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
-  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
-  return sum;
-}
-
-// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
-// about z leads backwards; it holds whatever rounding makes of an angle near 0.
-vec3 ltc_close_outline(ltc_EdgeAbove sum, float way) {
-  float angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
-  return vec3(sum.term.x, sum.term.y, sum.term.z + (way < 0.0 ? -angle : angle));
+  float half_turn = ltc_select(s < 0.0, -ltc_k_pi, ltc_k_pi);
+  return ltc_select(c < 0.0, half_turn - acute, acute);
 }
 
 // ---- light --------------------------------------------------------------------------------------
@@ -608,6 +571,7 @@ struct ltc_LightIntegral {
   float diffuse;           // integral of cos/pi over the light, 0..1
   float specular;          // integral of the lobe's density, both horizons respected, 0..1
   vec3 specular_direction; // shading space, unit
+  float second;            // integral of a second lobe's density, see with_second_lobe; else 0
   float concentration;     // cosine space, 0..1: 1 for a light so small that it lies in one direction
 };
 
@@ -626,6 +590,7 @@ ltc_LightIntegral ltc_light_integral(vec3 diffuse, vec3 specular, ltc_Lobe lobe,
   ltc_LightIntegral result;
   result.diffuse = min(max(diffuse.z * ltc_k_half_inv_pi, 0.0), 1.0);
   result.specular = min(max(specular.z * ltc_k_half_inv_pi, 0.0), 1.0);
+  result.second = 0.0;
   result.specular_direction = ltc_safe_direction(ltc_from_cosine(lobe, specular));
   result.concentration = ltc_light_concentration(outline2,
                                                  sqrt(dot(specular, specular)) * ltc_k_half_inv_pi);
@@ -676,6 +641,7 @@ struct ltc_Surface {
   vec3 specular;         // F0 n1 + (F90 - F0) n5, the specular albedo
   float axis_weight;     // n5/n1 less Schlick's weight in the lobe's mean direction
   float inv_share;       // weight of the lobe, 1 if it is the only one, over its share_above_horizon
+  ltc_Lobe second;       // the second lobe
   // Of the triangle, unit, world space, on the viewer's side; make_surface assumes the shading normal.
   vec3 geometric;
   // Whether the two differ in any lane: then what lies behind the triangle's plane is hidden by it.
@@ -711,6 +677,7 @@ ltc_Surface ltc_make_surface(ltc_FittedLobe fitted, vec3 position, vec3 normal, 
   float taken = max(max(s.specular.x, s.specular.y), s.specular.z);
   s.diffuse = albedo * max(1.0 - taken, 0.0);
   s.geometric = normal;
+  s.second = fitted.lobe;
   s.tilted = false;
   s.corrected = false;
   s.max_ratio = 1.0;
@@ -755,17 +722,19 @@ bool ltc_has_side(ltc_Surface s, vec3 origin, vec3 normal) {
 ltc_LightIntegral ltc_unless_in_plane(ltc_Surface s, vec3 origin, vec3 normal,
                                       ltc_LightIntegral integral) {
   bool sided = ltc_has_side(s, origin, normal);
-  integral.diffuse = sided ? integral.diffuse : 0.0;
-  integral.specular = sided ? integral.specular : 0.0;
+  integral.diffuse = ltc_select(sided, integral.diffuse, 0.0);
+  integral.specular = ltc_select(sided, integral.specular, 0.0);
+  integral.second = ltc_select(sided, integral.second, 0.0);
   return integral;
 }
 
 // An integral without what lanes have that see nothing of the light in front of the triangle's plane.
 ltc_LightIntegral ltc_unless_hidden(ltc_Surface s, ltc_Heights heights,
                                     ltc_LightIntegral integral) {
-  bool seen = heights.high > 0.0 && heights.high * heights.high > s.position_error2;
-  integral.diffuse = seen ? integral.diffuse : 0.0;
-  integral.specular = seen ? integral.specular : 0.0;
+  bool seen = ltc_both_hold(heights.high > 0.0, heights.high * heights.high > s.position_error2);
+  integral.diffuse = ltc_select(seen, integral.diffuse, 0.0);
+  integral.specular = ltc_select(seen, integral.specular, 0.0);
+  integral.second = ltc_select(seen, integral.second, 0.0);
   return integral;
 }
 
@@ -857,44 +826,12 @@ ltc_ShadedLight ltc_shade_integral(ltc_Surface s, ltc_LightIntegral integral) {
 //
 // Source: the edge sum of edge.glsl.
 
-// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
-// normal, meets the y axis.
-float ltc_apex_side(float normal_y, float h) { return normal_y * h < 0.0 ? -1.0 : 1.0; }
-
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   vec3 diffuse;   // 2 pi times the vector irradiance of the clipped polygon in shading space
   vec3 specular;  // the same in cosine space
   float outline2; // square of the mean of the unit vectors to its corners, cosine space
 };
-
-// A corner of an outline as a point sees it.
-struct ltc_Corner {
-  vec3 p;      // shading space
-  vec3 o;      // cosine space
-  float inv_p; // 1 / length
-  float inv_o; // 1 / length
-};
-
-// The corner at p of shading space.
-ltc_Corner ltc_corner_at(vec3 p, ltc_Lobe lobe) {
-  ltc_Corner corner;
-  corner.p = p;
-  corner.o = ltc_to_cosine(lobe, p);
-  corner.inv_p = ltc_inverse_length(corner.p);
-  corner.inv_o = ltc_inverse_length(corner.o);
-  return corner;
-}
-
-// And above the surface's horizon, clipped to the cosine's, not yet closed.
-ltc_EdgeAbove ltc_specular_edge(ltc_Corner a, ltc_Corner b, float s) {
-  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
-}
-
-// The same of an edge above both horizons.
-vec3 ltc_whole_diffuse_term(ltc_Corner a, ltc_Corner b) {
-  return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
-}
 
 // Square of the length of a mean, from the sum and the number of its parts.
 float ltc_mean_length2(vec3 sum, float count) { return dot(sum, sum) / max(count * count, 1.0); }
@@ -942,7 +879,7 @@ ltc_OutlineSums ltc_add_to_specular(ltc_OutlineSums outline, vec3 a, vec3 b) {
   ltc_OutlineSums next = outline;
   bool a_up = a.z >= 0.0;
   bool b_up = b.z >= 0.0;
-  if (a_up || b_up) {
+  if (ltc_either_holds(a_up, b_up)) {
     vec3 from = a;
     vec3 to = b;
     vec3 along = b - a;
@@ -980,7 +917,7 @@ ltc_OutlineSums ltc_add_to_outline(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_
   bool b_up = b.z >= 0.0;
   vec3 from = a;
   vec3 to = b;
-  int parts = a_up || b_up ? 1 : 0;
+  int parts = ltc_select(ltc_either_holds(a_up, b_up), 1, 0);
   if (a_up != b_up) {
     float t = ltc_crossing_place(a.z, b.z);
     vec3 cut = vec3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
@@ -1025,7 +962,7 @@ ltc_OutlineSums ltc_add_in_front(ltc_OutlineSums outline, vec3 a, vec3 b, ltc_Lo
   float b_height = dot(front, b);
   bool a_seen = a_height >= 0.0;
   bool b_seen = b_height >= 0.0;
-  parts = a_seen || b_seen ? 1 : 0;
+  parts = ltc_select(ltc_either_holds(a_seen, b_seen), 1, 0);
   if (a_seen != b_seen) {
     vec3 crossing = a + (b - a) * ltc_crossing_place(a_height, b_height);
     // See corner_between.
@@ -1090,48 +1027,140 @@ vec3 ltc_horizon_point(vec3 a, vec3 b) {
   return vec3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
 }
 
-// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
-// h: signed distance of its plane along its normal.
-ltc_EdgeSums ltc_sum_convex_quad(vec3 corner0, vec3 corner1, vec3 corner2, vec3 corner3, float s,
-                                 float h, ltc_Lobe lobe) {
+// Five corners of a convex outline in its order, of which some may coincide.
+struct ltc_FiveCorners {
+  vec3 first;  // shading space
+  vec3 second; // see first
+  vec3 third;  // see first
+  vec3 fourth; // see first
+  vec3 fifth;  // see first
+};
+
+// The same, from the second on.
+ltc_FiveCorners ltc_next_corner_first(ltc_FiveCorners corners) {
+  ltc_FiveCorners next;
+  next.first = corners.second;
+  next.second = corners.third;
+  next.third = corners.fourth;
+  next.fourth = corners.fifth;
+  next.fifth = corners.first;
+  return next;
+}
+
+// 2 pi times the vector irradiance of what they bound, which is above the horizon, shading space.
+vec3 ltc_sum_corners(ltc_FiveCorners corners) {
+  ltc_FiveCorners left = corners;
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  vec3 a = corners.fifth;
+  float inv_a = ltc_inverse_length(a);
+  for (int i = 0; i < 5; ++i) {
+    vec3 b = left.first;
+    float inv_b = ltc_inverse_length(b);
+    sum = sum + ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return sum;
+}
+
+// The sum over a convex outline in cosine space, and where it crosses the cosine's horizon: at most once either way.
+struct ltc_ConvexSum {
+  vec3 term;   // 2 pi times the vector irradiance, not yet closed
+  vec3 enters; // where the outline comes up, unit
+  vec3 leaves; // and where it goes down
+};
+
+// No edges yet.
+ltc_ConvexSum ltc_no_convex_edges() {
+  ltc_ConvexSum sum;
+  sum.term = vec3(0.0, 0.0, 0.0);
+  sum.enters = vec3(1.0, 0.0, 0.0);
+  sum.leaves = sum.enters;
+  return sum;
+}
+
+// The edge from a to b, cosine space, cut by its horizon without a branch: of an edge below it the length is 0. inv_a,
+// inv_b: 1 / their lengths.
+ltc_ConvexSum ltc_add_convex_edge(ltc_ConvexSum sum, vec3 a, vec3 b, float inv_a, float inv_b) {
+  bool a_up = a.z >= 0.0;
+  bool b_up = b.z >= 0.0;
+  vec3 along = b - a;
+  float t = ltc_crossing_place(a.z, b.z);
+  vec3 cut = vec3(a.x + along.x * t, a.y + along.y * t, 0.0);
+  float inv_cut = ltc_inverse_length(cut);
+  vec3 unit = cut * inv_cut;
+  float extent = ltc_select(a_up, ltc_select(b_up, 1.0, t), ltc_select(b_up, 1.0 - t, 0.0));
+  ltc_ConvexSum next;
+  next.term = sum.term +
+              ltc_edge_term_scaled(ltc_select(a_up, a, cut), ltc_select(b_up, b, cut),
+                                   along * extent, ltc_select(a_up, inv_a, inv_cut),
+                                   ltc_select(b_up, inv_b, inv_cut));
+  next.enters = ltc_select(ltc_both_hold(b_up, !a_up), unit, sum.enters);
+  next.leaves = ltc_select(ltc_both_hold(a_up, !b_up), unit, sum.leaves);
+  return next;
+}
+
+// The specular sum of a whole outline, closed along the cosine's horizon. way: negative where a positive angle about z
+// leads backwards; it holds whatever rounding makes of an angle near 0.
+vec3 ltc_close_convex_outline(ltc_ConvexSum sum, float way) {
+  vec3 a = sum.leaves;
+  vec3 b = sum.enters;
+  float angle = abs(ltc_angle_of_unit(a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x));
+  return vec3(sum.term.x, sum.term.y, sum.term.z + ltc_select(way < 0.0, -angle, angle));
+}
+
+// sum_corners in cosine space. way: see close_convex_outline.
+vec3 ltc_sum_corners_cosine(ltc_FiveCorners corners, ltc_Lobe lobe, float way) {
+  ltc_FiveCorners left = corners;
+  ltc_ConvexSum sum = ltc_no_convex_edges();
+  vec3 a = ltc_to_cosine(lobe, corners.fifth);
+  float inv_a = ltc_inverse_length(a);
+  for (int i = 0; i < 5; ++i) {
+    vec3 b = ltc_to_cosine(lobe, left.first);
+    float inv_b = ltc_inverse_length(b);
+    sum = ltc_add_convex_edge(sum, a, b, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return ltc_close_convex_outline(sum, way);
+}
+
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. h: signed
+// distance of its plane along its normal.
+ltc_EdgeSums ltc_sum_convex_quad(vec3 corner0, vec3 corner1, vec3 corner2, vec3 corner3, float h,
+                                 ltc_Lobe lobe) {
   vec3 a = corner0;
   vec3 b = corner1;
   vec3 c = corner2;
   vec3 d = corner3;
   // Turned until it enters at a: a is above and d is not. One that is wholly above comes as it may.
   for (int i = 0; i < 3; ++i) {
-    bool enters = a.z >= 0.0 && d.z < 0.0;
+    bool enters = ltc_both_hold(a.z >= 0.0, d.z < 0.0);
     vec3 first = a;
-    a = enters ? a : b;
-    b = enters ? b : c;
-    c = enters ? c : d;
-    d = enters ? d : first;
+    a = ltc_select(enters, a, b);
+    b = ltc_select(enters, b, c);
+    c = ltc_select(enters, c, d);
+    d = ltc_select(enters, d, first);
   }
   bool seen = a.z >= 0.0;
   bool two = b.z >= 0.0;
-  bool three = two && c.z >= 0.0;
+  bool three = ltc_both_hold(two, c.z >= 0.0);
   bool four = d.z >= 0.0;
-  vec3 last = three ? c : (two ? b : a);
-  vec3 below = three ? d : (two ? c : b);
-  vec3 leaves = four ? d : ltc_horizon_point(last, below);
-  ltc_Corner p0 = ltc_corner_at(four ? d : ltc_horizon_point(d, a), lobe);
-  ltc_Corner p1 = ltc_corner_at(a, lobe);
-  vec3 diffuse = ltc_whole_diffuse_term(p0, p1);
-  ltc_EdgeAbove specular = ltc_specular_edge(p0, p1, s);
-  ltc_Corner p2 = ltc_corner_at(two ? b : leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
-  ltc_Corner p3 = ltc_corner_at(three ? c : leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
-  ltc_Corner p4 = ltc_corner_at(leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
-  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  vec3 last = ltc_select(three, c, ltc_select(two, b, a));
+  vec3 below = ltc_select(three, d, ltc_select(two, c, b));
+  vec3 leaves = ltc_select(four, d, ltc_horizon_point(last, below));
+  ltc_FiveCorners corners;
+  corners.first = a;
+  corners.second = ltc_select(two, b, leaves);
+  corners.third = ltc_select(three, c, leaves);
+  corners.fourth = leaves;
+  corners.fifth = ltc_select(four, d, ltc_horizon_point(d, a));
   vec3 none = vec3(0.0, 0.0, 0.0);
   ltc_EdgeSums sums;
-  sums.diffuse = seen ? diffuse : none;
-  sums.specular = seen ? ltc_close_outline(specular, h * lobe.det) : none;
+  sums.diffuse = ltc_select(seen, ltc_sum_corners(corners), none);
+  sums.specular = ltc_select(seen, ltc_sum_corners_cosine(corners, lobe, h * lobe.det), none);
   sums.outline2 = 0.0;
   return sums;
 }
@@ -1150,8 +1179,7 @@ ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, vec3 position, ltc_Frame fr
       return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, front);
     }
   }
-  float s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  ltc_EdgeSums sums = ltc_sum_convex_quad(a, b, c, d, h, lobe);
   vec3 corners = ltc_safe_direction(ltc_to_cosine(lobe, a)) +
                  ltc_safe_direction(ltc_to_cosine(lobe, b)) +
                  ltc_safe_direction(ltc_to_cosine(lobe, c)) +
@@ -1199,10 +1227,14 @@ vec3 ltc_small_part_term(vec3 p, float area_height, ltc_Lobe lobe) {
 // both horizons: four parts, which have its area, centroid and second moments.
 vec3 ltc_sum_small_polygon(ltc_SmallPolygon small, ltc_Lobe lobe) {
   float quarter = 0.25 * small.area_height;
-  return ltc_small_part_term(small.center + small.u, quarter, lobe) +
-         ltc_small_part_term(small.center - small.u, quarter, lobe) +
-         ltc_small_part_term(small.center + small.v, quarter, lobe) +
-         ltc_small_part_term(small.center - small.v, quarter, lobe);
+  vec3 sum = vec3(0.0, 0.0, 0.0);
+  vec3 across = small.u;
+  for (int i = 0; i < 2; ++i) {
+    sum = sum + ltc_small_part_term(small.center + across, quarter, lobe) +
+          ltc_small_part_term(small.center - across, quarter, lobe);
+    across = small.v;
+  }
+  return sum;
 }
 
 // Square of the angular radius below which the small form begins, 0.05.
@@ -1231,8 +1263,8 @@ float ltc_polygon_exactness(vec3 center, float radius, ltc_Lobe lobe) {
   float inv_o = inversesqrt(o2);
   float exact = min(max((reach * inv_o - ltc_k_wholly_small_radius) * ltc_k_inv_small_range, 0.0),
                     1.0);
-  bool above = center.z > radius && o.z > reach;
-  return above ? exact : 1.0;
+  bool above = ltc_both_hold(center.z > radius, o.z > reach);
+  return ltc_select(above, exact, 1.0);
 }
 
 // EdgeSums.outline2 for what fades into the small form, which lies in one direction.
@@ -1243,8 +1275,8 @@ float ltc_small_outline2(ltc_EdgeSums sums, float exact) {
 // The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
 // its plane along its normal.
 float ltc_quad_lit_side(ltc_Quad quad, float h, vec3 to_origin) {
-  float side = h < 0.0 ? -1.0 : (ltc_quad_two_sided(quad) ? 1.0 : 0.0);
-  return ltc_lies_in_plane(h, to_origin, 0.0) ? 0.0 : side;
+  float side = ltc_select(h < 0.0, -1.0, ltc_select(ltc_quad_two_sided(quad), 1.0, 0.0));
+  return ltc_select(ltc_lies_in_plane(h, to_origin, 0.0), 0.0, side);
 }
 
 // A polygon as a point sees it, for its small form; side: see lit_side.
@@ -1285,8 +1317,8 @@ ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, vec3 position, ltc_Fram
     // What the plane may cut is summed by its edges, however small.
     if (cut) {
       bool in_front = dot(front, center) > radius;
-      exact_diffuse = in_front ? exact_diffuse : 1.0;
-      exact_specular = in_front ? exact_specular : 1.0;
+      exact_diffuse = ltc_select(in_front, exact_diffuse, 1.0);
+      exact_specular = ltc_select(in_front, exact_specular, 1.0);
     }
   }
 
@@ -1296,20 +1328,21 @@ ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, vec3 position, ltc_Fram
   sums.outline2 = 1.0;
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
   bool lit = side != 0.0;
-  if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
+  if (ltc_both_hold(lit, ltc_either_holds(exact_diffuse > 0.0, exact_specular > 0.0))) {
     sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h, cut, front);
     sums.diffuse = sums.diffuse * (side * exact_diffuse);
     sums.specular = sums.specular * (side * exact_specular);
   }
-  if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
+  if (ltc_both_hold(lit, ltc_either_holds(exact_diffuse < 1.0, exact_specular < 1.0))) {
     ltc_SmallPolygon small = ltc_small_quad(quad, center, frame, h, side);
     vec3 none = vec3(0.0, 0.0, 0.0);
     sums.diffuse = sums.diffuse +
-                   (exact_diffuse < 1.0 ?
-                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
+                   ltc_select(exact_diffuse < 1.0,
+                              ltc_sum_small_polygon(small, ltc_cosine_lobe()) *
+                              (1.0 - exact_diffuse), none);
     sums.specular = sums.specular +
-                    (exact_specular < 1.0 ?
-                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+                    ltc_select(exact_specular < 1.0,
+                               ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular), none);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));

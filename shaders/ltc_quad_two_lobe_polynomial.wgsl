@@ -653,54 +653,6 @@ fn ltc_angle_of_unit(c: f32, s: f32) -> f32 {
   return select(acute, half_turn - acute, c < 0.0);
 }
 
-// One edge of an outline, clipped to the half space z >= 0, and the turn that closes it along the
-// plane, from where it was cut towards the apex: the cosine and sine of an angle about z, which
-// counts as it is.
-struct ltc_EdgeAbove {
-  term: vec3f,   // its contribution to the vector irradiance, times 2 pi
-  turn_cos: f32, // 1 where nothing was cut
-  turn_sin: f32, // 0 where nothing was cut
-}
-
-// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-fn ltc_edge_above(a: vec3f, b: vec3f, s: f32, inv_a: f32, inv_b: f32) -> ltc_EdgeAbove {
-  let a_up = a.z >= 0.0;
-  let b_up = b.z >= 0.0;
-  let d = b - a;
-  let t = ltc_crossing_place(a.z, b.z);
-  let q = vec3f(a.x + d.x * t, a.y + d.y * t, 0.0);
-  let inv_q = ltc_inverse_length(q);
-  let extent = select(1.0 - t, select(t, 1.0, b_up), a_up);
-  var edge: ltc_EdgeAbove;
-  edge.term = ltc_edge_term_scaled(select(q, a, a_up), select(q, b, b_up), d * extent,
-                                   select(inv_q, inv_a, a_up), select(inv_q, inv_b, b_up));
-  edge.term = select(vec3f(0.0, 0.0, 0.0), edge.term, a_up || b_up);
-  let leaves = a_up && !b_up;
-  let enters = b_up && !a_up;
-  let inv_s = inv_q * s;
-  let x = q.x * inv_s;
-  edge.turn_cos = select(1.0, q.y * inv_s, leaves || enters);
-  edge.turn_sin = select(select(0.0, -x, enters), x, leaves);
-  return edge;
-}
-
-// Two edges, or sums of edges, of an outline: their turns, which lead the same way round, one after the
-// other.
-fn ltc_join_edges(a: ltc_EdgeAbove, b: ltc_EdgeAbove) -> ltc_EdgeAbove {
-  var sum: ltc_EdgeAbove;
-  sum.term = a.term + b.term;
-  sum.turn_cos = a.turn_cos * b.turn_cos - a.turn_sin * b.turn_sin;
-  sum.turn_sin = a.turn_cos * b.turn_sin + a.turn_sin * b.turn_cos;
-  return sum;
-}
-
-// The sum over all edges of an outline, closed along the plane. way: negative where a positive angle
-// about z leads backwards; it holds whatever rounding makes of an angle near 0.
-fn ltc_close_outline(sum: ltc_EdgeAbove, way: f32) -> vec3f {
-  let angle = abs(ltc_angle_of_unit(sum.turn_cos, sum.turn_sin));
-  return vec3f(sum.term.x, sum.term.y, sum.term.z + select(angle, -angle, way < 0.0));
-}
-
 // ---- light --------------------------------------------------------------------------------------
 //
 // What lights of all shapes share: their integral, a point of one, and the planes of flat ones.
@@ -1019,43 +971,11 @@ fn ltc_shade_integral(s: ltc_Surface, integral: ltc_LightIntegral) -> ltc_Shaded
 //
 // Source: the edge sum of edge.glsl.
 
-// Side of the apex: the sign of y where the polygon's plane, at signed distance h along its
-// normal, meets the y axis.
-fn ltc_apex_side(normal_y: f32, h: f32) -> f32 { return select(1.0, -1.0, normal_y * h < 0.0); }
-
 // The sums over the edges of an outline.
 struct ltc_EdgeSums {
   diffuse: vec3f,  // 2 pi times the vector irradiance of the clipped polygon in shading space
   specular: vec3f, // the same in cosine space
   outline2: f32,   // square of the mean of the unit vectors to its corners, cosine space
-}
-
-// A corner of an outline as a point sees it.
-struct ltc_Corner {
-  p: vec3f,   // shading space
-  o: vec3f,   // cosine space
-  inv_p: f32, // 1 / length
-  inv_o: f32, // 1 / length
-}
-
-// The corner at p of shading space.
-fn ltc_corner_at(p: vec3f, lobe: ltc_Lobe) -> ltc_Corner {
-  var corner: ltc_Corner;
-  corner.p = p;
-  corner.o = ltc_to_cosine(lobe, p);
-  corner.inv_p = ltc_inverse_length(corner.p);
-  corner.inv_o = ltc_inverse_length(corner.o);
-  return corner;
-}
-
-// And above the surface's horizon, clipped to the cosine's, not yet closed.
-fn ltc_specular_edge(a: ltc_Corner, b: ltc_Corner, s: f32) -> ltc_EdgeAbove {
-  return ltc_edge_above(a.o, b.o, s, a.inv_o, b.inv_o);
-}
-
-// The same of an edge above both horizons.
-fn ltc_whole_diffuse_term(a: ltc_Corner, b: ltc_Corner) -> vec3f {
-  return ltc_edge_term_scaled(a.p, b.p, b.p - a.p, a.inv_p, b.inv_p);
 }
 
 // Square of the length of a mean, from the sum and the number of its parts.
@@ -1255,10 +1175,110 @@ fn ltc_horizon_point(a: vec3f, b: vec3f) -> vec3f {
   return vec3f(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 0.0);
 }
 
-// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. s: its apex_side;
-// h: signed distance of its plane along its normal.
-fn ltc_sum_convex_quad(corner0: vec3f, corner1: vec3f, corner2: vec3f, corner3: vec3f, s: f32,
-                       h: f32, lobe: ltc_Lobe) -> ltc_EdgeSums {
+// Five corners of a convex outline in its order, of which some may coincide.
+struct ltc_FiveCorners {
+  first: vec3f,  // shading space
+  second: vec3f, // see first
+  third: vec3f,  // see first
+  fourth: vec3f, // see first
+  fifth: vec3f,  // see first
+}
+
+// The same, from the second on.
+fn ltc_next_corner_first(corners: ltc_FiveCorners) -> ltc_FiveCorners {
+  var next: ltc_FiveCorners;
+  next.first = corners.second;
+  next.second = corners.third;
+  next.third = corners.fourth;
+  next.fourth = corners.fifth;
+  next.fifth = corners.first;
+  return next;
+}
+
+// 2 pi times the vector irradiance of what they bound, which is above the horizon, shading space.
+fn ltc_sum_corners(corners: ltc_FiveCorners) -> vec3f {
+  var left = corners;
+  var sum = vec3f(0.0, 0.0, 0.0);
+  var a = corners.fifth;
+  var inv_a = ltc_inverse_length(a);
+  for (var i = 0; i < 5; i++) {
+    let b = left.first;
+    let inv_b = ltc_inverse_length(b);
+    sum = sum + ltc_edge_term_scaled(a, b, b - a, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return sum;
+}
+
+// The sum over a convex outline in cosine space, and where it crosses the cosine's horizon: at most once either way.
+struct ltc_ConvexSum {
+  term: vec3f,   // 2 pi times the vector irradiance, not yet closed
+  enters: vec3f, // where the outline comes up, unit
+  leaves: vec3f, // and where it goes down
+}
+
+// No edges yet.
+fn ltc_no_convex_edges() -> ltc_ConvexSum {
+  var sum: ltc_ConvexSum;
+  sum.term = vec3f(0.0, 0.0, 0.0);
+  sum.enters = vec3f(1.0, 0.0, 0.0);
+  sum.leaves = sum.enters;
+  return sum;
+}
+
+// The edge from a to b, cosine space, cut by its horizon without a branch: of an edge below it the length is 0. inv_a,
+// inv_b: 1 / their lengths.
+fn ltc_add_convex_edge(sum: ltc_ConvexSum, a: vec3f, b: vec3f, inv_a: f32,
+                       inv_b: f32) -> ltc_ConvexSum {
+  let a_up = a.z >= 0.0;
+  let b_up = b.z >= 0.0;
+  let along = b - a;
+  let t = ltc_crossing_place(a.z, b.z);
+  let cut = vec3f(a.x + along.x * t, a.y + along.y * t, 0.0);
+  let inv_cut = ltc_inverse_length(cut);
+  let unit = cut * inv_cut;
+  let extent = select(select(0.0, 1.0 - t, b_up), select(t, 1.0, b_up), a_up);
+  var next: ltc_ConvexSum;
+  next.term = sum.term +
+              ltc_edge_term_scaled(select(cut, a, a_up), select(cut, b, b_up), along * extent,
+                                   select(inv_cut, inv_a, a_up), select(inv_cut, inv_b, b_up));
+  next.enters = select(sum.enters, unit, b_up && !a_up);
+  next.leaves = select(sum.leaves, unit, a_up && !b_up);
+  return next;
+}
+
+// The specular sum of a whole outline, closed along the cosine's horizon. way: negative where a positive angle about z
+// leads backwards; it holds whatever rounding makes of an angle near 0.
+fn ltc_close_convex_outline(sum: ltc_ConvexSum, way: f32) -> vec3f {
+  let a = sum.leaves;
+  let b = sum.enters;
+  let angle = abs(ltc_angle_of_unit(a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x));
+  return vec3f(sum.term.x, sum.term.y, sum.term.z + select(angle, -angle, way < 0.0));
+}
+
+// sum_corners in cosine space. way: see close_convex_outline.
+fn ltc_sum_corners_cosine(corners: ltc_FiveCorners, lobe: ltc_Lobe, way: f32) -> vec3f {
+  var left = corners;
+  var sum = ltc_no_convex_edges();
+  var a = ltc_to_cosine(lobe, corners.fifth);
+  var inv_a = ltc_inverse_length(a);
+  for (var i = 0; i < 5; i++) {
+    let b = ltc_to_cosine(lobe, left.first);
+    let inv_b = ltc_inverse_length(b);
+    sum = ltc_add_convex_edge(sum, a, b, inv_a, inv_b);
+    a = b;
+    inv_a = inv_b;
+    left = ltc_next_corner_first(left);
+  }
+  return ltc_close_convex_outline(sum, way);
+}
+
+// sum_edges, but for outline2, of a convex quad with these corners, shading space, in its order. h: signed
+// distance of its plane along its normal.
+fn ltc_sum_convex_quad(corner0: vec3f, corner1: vec3f, corner2: vec3f, corner3: vec3f, h: f32,
+                       lobe: ltc_Lobe) -> ltc_EdgeSums {
   var a = corner0;
   var b = corner1;
   var c = corner2;
@@ -1279,24 +1299,16 @@ fn ltc_sum_convex_quad(corner0: vec3f, corner1: vec3f, corner2: vec3f, corner3: 
   let last = select(select(a, b, two), c, three);
   let below = select(select(b, c, two), d, three);
   let leaves = select(ltc_horizon_point(last, below), d, four);
-  let p0 = ltc_corner_at(select(ltc_horizon_point(d, a), d, four), lobe);
-  let p1 = ltc_corner_at(a, lobe);
-  var diffuse = ltc_whole_diffuse_term(p0, p1);
-  var specular = ltc_specular_edge(p0, p1, s);
-  let p2 = ltc_corner_at(select(leaves, b, two), lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p1, p2);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p1, p2, s));
-  let p3 = ltc_corner_at(select(leaves, c, three), lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p2, p3);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p2, p3, s));
-  let p4 = ltc_corner_at(leaves, lobe);
-  diffuse = diffuse + ltc_whole_diffuse_term(p3, p4) + ltc_whole_diffuse_term(p4, p0);
-  specular = ltc_join_edges(specular, ltc_specular_edge(p3, p4, s));
-  specular = ltc_join_edges(specular, ltc_specular_edge(p4, p0, s));
+  var corners: ltc_FiveCorners;
+  corners.first = a;
+  corners.second = select(leaves, b, two);
+  corners.third = select(leaves, c, three);
+  corners.fourth = leaves;
+  corners.fifth = select(ltc_horizon_point(d, a), d, four);
   let none = vec3f(0.0, 0.0, 0.0);
   var sums: ltc_EdgeSums;
-  sums.diffuse = select(none, diffuse, seen);
-  sums.specular = select(none, ltc_close_outline(specular, h * lobe.det), seen);
+  sums.diffuse = select(none, ltc_sum_corners(corners), seen);
+  sums.specular = select(none, ltc_sum_corners_cosine(corners, lobe, h * lobe.det), seen);
   sums.outline2 = 0.0;
   return sums;
 }
@@ -1315,8 +1327,7 @@ fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, l
       return ltc_quad_sum_edges_in_one_lane(quad, position, frame, lobe, front);
     }
   }
-  let s = ltc_apex_side(dot(frame.t2, ltc_quad_normal(quad)), h);
-  var sums = ltc_sum_convex_quad(a, b, c, d, s, h, lobe);
+  var sums = ltc_sum_convex_quad(a, b, c, d, h, lobe);
   let corners = ltc_safe_direction(ltc_to_cosine(lobe, a)) +
                 ltc_safe_direction(ltc_to_cosine(lobe, b)) +
                 ltc_safe_direction(ltc_to_cosine(lobe, c)) +
@@ -1364,10 +1375,14 @@ fn ltc_small_part_term(p: vec3f, area_height: f32, lobe: ltc_Lobe) -> vec3f {
 // both horizons: four parts, which have its area, centroid and second moments.
 fn ltc_sum_small_polygon(small: ltc_SmallPolygon, lobe: ltc_Lobe) -> vec3f {
   let quarter = 0.25 * small.area_height;
-  return ltc_small_part_term(small.center + small.u, quarter, lobe) +
-         ltc_small_part_term(small.center - small.u, quarter, lobe) +
-         ltc_small_part_term(small.center + small.v, quarter, lobe) +
-         ltc_small_part_term(small.center - small.v, quarter, lobe);
+  var sum = vec3f(0.0, 0.0, 0.0);
+  var across = small.u;
+  for (var i = 0; i < 2; i++) {
+    sum = sum + ltc_small_part_term(small.center + across, quarter, lobe) +
+          ltc_small_part_term(small.center - across, quarter, lobe);
+    across = small.v;
+  }
+  return sum;
 }
 
 // Square of the angular radius below which the small form begins, 0.05.

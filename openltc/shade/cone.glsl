@@ -278,12 +278,10 @@ FN Real wrapped_turn(Real angle) {
   return select(a < turn, a, a - turn);
 }
 
-/// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z,
-/// and closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the
-/// vector irradiance. Ends that other edges continue from cancel with those.
-FN_CALL Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
-  Arc surface = arc_above(cone, up);
-  Arc cosine = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
+/// What the arcs `part`, `surface` and `cosine` of an outline have in common, the latter two being what is above each
+/// horizon, closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the vector
+/// irradiance.
+FN_CALL Vec3 common_arc_term(Cone cone, Arc part, Arc surface, Arc cosine, Real s) {
   Real turn = Real(2.0) * k_pi;
   Real x1 = select(surface.extent > Real(k_full_turn), Real(0.0),
                    wrapped_turn(surface.start - part.start));
@@ -300,18 +298,28 @@ FN_CALL Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
       Real high = min(min(a + surface.extent, b + cosine.extent), part.extent);
       Mask some = high > low;
       if (any_lane(some)) {
-        ConePoint from = cone_point(cone, part.start + low);
-        ConePoint to = cone_point(cone, part.start + high);
-        Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-        sum = sum + select(some, to.sum - from.sum, none);
-        ends = ends + select(some,
-                             apex_term(to.direction, inverse_length(to.direction), s) -
-                                 apex_term(from.direction, inverse_length(from.direction), s),
-                             none);
+        // Its end, then its beginning.
+        Real t = high;
+        Real sign = Real(1.0);
+        for (int end = 0; end < 2; ++end) {
+          ConePoint point = cone_point(cone, part.start + t);
+          Real counts = select(some, sign, Real(0.0));
+          sum = sum + point.sum * counts;
+          ends = ends + apex_term(point.direction, inverse_length(point.direction), s) * counts;
+          t = low;
+          sign = Real(-1.0);
+        }
       }
     }
   }
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z + ends;
+}
+
+/// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z, and closed as
+/// above. Ends that other edges continue from cancel with those.
+FN_CALL Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
+  return common_arc_term(cone, part, arc_above(cone, up),
+                         arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0))), s);
 }
 
 /// Whether a cone lies wholly above the planes with unit normals `up` and z: the axis' height over
@@ -349,7 +357,7 @@ FN_CALL Vec3 clipped_cone(Cone cone, Vec3 up) {
   part.start = select(surface.extent > Real(k_full_turn), cosine.start, surface.start);
   part.extent = Real(2.0) * k_pi;
   Real s = select(cone.e3.y < Real(0.0), Real(-1.0), Real(1.0));
-  return select(whole, all, clipped_arc_term(cone, part, up, s));
+  return select(whole, all, common_arc_term(cone, part, surface, cosine, s));
 }
 
 /// Parameter of the outline at a direction on it, -pi..pi.
@@ -369,6 +377,13 @@ FN Real outline_parameter(Cone cone, Vec3 direction) {
 
 /// Share of the outline's arc `part` in 2 pi times the vector irradiance, without horizons.
 FN Vec3 arc_term(Cone cone, Arc part) {
-  Vec3 sum = cone_point(cone, part.start + part.extent).sum - cone_point(cone, part.start).sum;
+  Vec3 sum = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Real t = part.start + part.extent;
+  Real sign = Real(1.0);
+  for (int end = 0; end < 2; ++end) {
+    sum = sum + cone_point(cone, t).sum * sign;
+    t = part.start;
+    sign = Real(-1.0);
+  }
   return cone.e1 * sum.x + cone.e2 * sum.y + cone.e3 * sum.z;
 }

@@ -61,12 +61,12 @@ FN Real any_over_sin(Real x, Real sin2, Real acute) {
 
 /// theta / sin(theta) of an angle with cosine x and squared sine sin2, 0..pi.
 FN Real theta_over_sin(Real x, Real sin2) {
-  Real acute = acute_over_sin(x);
+  Real weight = acute_over_sin(x);
   // Uniform shortcut: no lane's angle is beyond a right one.
-  if (!any_lane(x < Real(0.0))) {
-    return acute;
+  if (any_lane(x < Real(0.0))) {
+    weight = any_over_sin(x, sin2, weight);
   }
-  return any_over_sin(x, sin2, acute);
+  return weight;
 }
 
 /// Contribution of the arc from a to b = a + d to the vector irradiance, times 2 pi. d is passed by

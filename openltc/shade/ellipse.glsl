@@ -34,18 +34,20 @@ struct ConeSums {
 /// Those of the cone of directions to a flat ellipse, all in shading space; where `cut`, of its part
 /// in front of the plane with unit normal `front`.
 FN ConeSums sum_ellipse_cone(Vec3 center, Vec3 u, Vec3 v, Lobe lobe, Vec3 front, bool cut) {
-  Vec3 up = Vec3(Real(0.0), Real(0.0), Real(1.0));
-  Vec3 up_o = horizon_normal_cosine(lobe);
-  Cone cone = make_cone(center, u, v);
-  Cone cone_o = make_cone(to_cosine(lobe, center), to_cosine(lobe, u), to_cosine(lobe, v));
   ConeSums sums;
-  sums.outline2 = cone_outline2(cone_o);
-  if (cut) {
-    sums.diffuse = clipped_cone_in_front(cone, up, front);
-    sums.specular = clipped_cone_in_front(cone_o, up_o, plane_normal_cosine(lobe, front));
-  } else {
-    sums.diffuse = clipped_cone(cone, up);
-    sums.specular = clipped_cone(cone_o, up_o);
+  sums.specular = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Lobe now = cosine_lobe();
+  for (int i = 0; i < 2; ++i) {
+    Cone cone = make_cone(to_cosine(now, center), to_cosine(now, u), to_cosine(now, v));
+    Vec3 up = horizon_normal_cosine(now);
+    sums.diffuse = sums.specular;
+    sums.outline2 = cone_outline2(cone);
+    if (cut) {
+      sums.specular = clipped_cone_in_front(cone, up, plane_normal_cosine(now, front));
+    } else {
+      sums.specular = clipped_cone(cone, up);
+    }
+    now = lobe;
   }
   return sums;
 }

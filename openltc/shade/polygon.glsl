@@ -38,10 +38,14 @@ FN Vec3 small_part_term(Vec3 p, Real area_height, Lobe lobe) {
 /// both horizons: four parts, which have its area, centroid and second moments.
 FN Vec3 sum_small_polygon(SmallPolygon small, Lobe lobe) {
   Real quarter = Real(0.25) * small.area_height;
-  return small_part_term(small.center + small.u, quarter, lobe) +
-         small_part_term(small.center - small.u, quarter, lobe) +
-         small_part_term(small.center + small.v, quarter, lobe) +
-         small_part_term(small.center - small.v, quarter, lobe);
+  Vec3 sum = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 across = small.u;
+  for (int i = 0; i < 2; ++i) {
+    sum = sum + small_part_term(small.center + across, quarter, lobe) +
+          small_part_term(small.center - across, quarter, lobe);
+    across = small.v;
+  }
+  return sum;
 }
 
 /// Square of the angular radius below which the small form begins, 0.05.

@@ -65,12 +65,45 @@ FN TubeView tube_view(Tube tube, Vec3 position, Frame frame) {
 
 /// Which part of the outline of an end's cone bounds the tube.
 struct TubeEnd {
-  Cone cone;  ///< of directions to the end, cosine space
-  Arc part;   ///< of its outline
-  Real sign;  ///< -1: followed clockwise, 0: not at all
-  Vec3 left;  ///< where it meets the edges, on the cone, unit, cosine space
-  Vec3 right; ///< and where it meets the other one
+  Cone cone;          ///< of directions to the end, cosine space
+  Arc part;           ///< of its outline
+  Real sign;          ///< -1: followed clockwise, 0: not at all
+  Vec3 left;          ///< where it meets the edges, on the cone, unit, cosine space
+  Vec3 right;         ///< and where it meets the other one
+  Vec3 left_touched;  ///< where the planes through the point touch it there, cosine space
+  Vec3 right_touched; ///< and on the other side
 };
+
+/// No end: sign 0.
+FN TubeEnd no_tube_end() {
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  TubeEnd end;
+  end.cone.e1 = none;
+  end.cone.e2 = none;
+  end.cone.e3 = none;
+  end.cone.k1 = Real(0.0);
+  end.cone.k2 = Real(0.0);
+  end.cone.c1 = Real(1.0);
+  end.cone.c2 = Real(1.0);
+  end.part.start = Real(0.0);
+  end.part.extent = Real(0.0);
+  end.sign = Real(0.0);
+  end.left = none;
+  end.right = none;
+  end.left_touched = none;
+  end.right_touched = none;
+  return end;
+}
+
+/// The same end with left and right exchanged: as the outline comes by on its way back.
+FN TubeEnd turned_end(TubeEnd end) {
+  TubeEnd turned = end;
+  turned.left = end.right;
+  turned.right = end.left;
+  turned.left_touched = end.right_touched;
+  turned.right_touched = end.left_touched;
+  return turned;
+}
 
 /// One end. `center`, `away`: its centre and the unit direction out of it along the axis, shading
 /// space; `first`: whether it is the one at Tube.from, through which the outline runs from right to
@@ -86,8 +119,10 @@ FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool 
   Vec3 b = select(round, cross(direction, u), view.v) * radius;
   TubeEnd result;
   result.cone = make_cone(to_cosine(lobe, center), to_cosine(lobe, a), to_cosine(lobe, b));
-  Real left = outline_parameter(result.cone, to_cosine(lobe, center + view.left));
-  Real right = outline_parameter(result.cone, to_cosine(lobe, center + view.right));
+  result.left_touched = to_cosine(lobe, center + view.left);
+  result.right_touched = to_cosine(lobe, center + view.right);
+  Real left = outline_parameter(result.cone, result.left_touched);
+  Real right = outline_parameter(result.cone, result.right_touched);
   result.left = cone_direction(result.cone, left);
   result.right = cone_direction(result.cone, right);
   // An open end that one looks into: the other arc, backwards.
@@ -143,63 +178,101 @@ FN Mask sees_end(Tube tube, Vec3 center, Real along) {
          (!has_round_caps(tube) || dot(center, center) > tube.radius * tube.radius);
 }
 
+/// Both ends of a tube.
+struct TubeEnds {
+  TubeEnd first;  ///< at Tube.from
+  TubeEnd second; ///< at Tube.to
+};
+
+/// Those of a tube in the space that `lobe` leads to; see_from, see_to: see tube_end's `whole`.
+FN TubeEnds tube_ends(Tube tube, TubeView view, Mask see_from, Mask see_to, Lobe lobe) {
+  TubeEnds ends;
+  ends.second = no_tube_end();
+  for (int i = 0; i < 2; ++i) {
+    bool first = i == 0;
+    ends.first = ends.second;
+    ends.second = tube_end(tube, view, first ? view.from : view.to, first ? -view.axis : view.axis,
+                           first, first ? see_from : see_to, lobe);
+  }
+  return ends;
+}
+
+/// One end after the other, along the outline: that one first, and left what was right.
+FN TubeEnds turned_ends(TubeEnds ends) {
+  TubeEnds turned;
+  turned.first = turned_end(ends.second);
+  turned.second = turned_end(ends.first);
+  return turned;
+}
+
+/// Some point where the outline crosses the plane with unit normal `front`, if it does. inside: a point within the
+/// end that one sees who is not beside the tube; beside: 1 or 0.
+FN Vec3 tube_crossing(TubeEnds ends, Mask beside, Vec3 inside, Vec3 front) {
+  TubeEnds now = ends;
+  Vec3 q = select(beside, ends.first.left, inside);
+  for (int i = 0; i < 2; ++i) {
+    q = select(now.first.sign != Real(0.0), arc_crossing(now.first.cone, now.first.part, front, q),
+               q);
+    now = turned_ends(now);
+  }
+  for (int i = 0; i < 2; ++i) {
+    q = select(beside, edge_crossing(now.first.left, now.second.left, front, q), q);
+    now = turned_ends(now);
+  }
+  return q;
+}
+
 /// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
 /// `cut`, of its part in front of the plane with unit normal `front` (that space).
 FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe, Vec3 front, bool cut) {
   // Not beside the tube: in front of one of its ends.
   Mask see_from = sees_end(tube, view.from, dot(view.from, view.axis));
   Mask see_to = sees_end(tube, view.to, -dot(view.to, view.axis));
-
-  TubeEnd first = tube_end(tube, view, view.from, -view.axis, true, see_from, lobe);
-  TubeEnd second = tube_end(tube, view, view.to, view.axis, false, see_to, lobe);
-
-  Vec3 from_left_o = to_cosine(lobe, view.from + view.left);
-  Vec3 from_right_o = to_cosine(lobe, view.from + view.right);
-  Vec3 to_left_o = to_cosine(lobe, view.to + view.left);
-  Vec3 to_right_o = to_cosine(lobe, view.to + view.right);
+  TubeEnds ends = tube_ends(tube, view, see_from, see_to, lobe);
   Real edges = select(view.beside, Real(1.0), Real(0.0));
   Vec3 up = horizon_normal_cosine(lobe);
-  Mask whole = cone_is_above(first.cone, up) && cone_is_above(second.cone, up);
+  Mask whole = cone_is_above(ends.first.cone, up) && cone_is_above(ends.second.cone, up);
   if (cut) {
-    whole = whole && cone_is_above(first.cone, front) && cone_is_above(second.cone, front);
-  }
-  Vec3 all = edge_term(from_left_o, to_left_o, to_left_o - from_left_o) * edges +
-             edge_term(to_right_o, from_right_o, from_right_o - to_right_o) * edges +
-             arc_term(first.cone, first.part) * first.sign +
-             arc_term(second.cone, second.part) * second.sign;
-  // Uniform shortcut: no lane needs to clip.
-  if (all_lanes(whole)) {
-    return all;
+    whole =
+        whole && cone_is_above(ends.first.cone, front) && cone_is_above(ends.second.cone, front);
   }
   // The apex is on the side where the y axis comes closest to the tube's line: if it meets the tube,
   // it does so around there. A point that is not beside the tube sees one end alone.
   Real along = -(view.from.x * view.axis.x + view.from.z * view.axis.z) /
                max(view.axis.x * view.axis.x + view.axis.z * view.axis.z, Real(1.0e-12));
-  Real y_end = select(see_from, first.cone.e3.y, second.cone.e3.y);
-  Real y = select(view.beside, view.from.y + view.axis.y * along, y_end);
+  Vec3 inside = select(see_from, ends.first.cone.e3, ends.second.cone.e3);
+  Real y = select(view.beside, view.from.y + view.axis.y * along, inside.y);
   Real s = select(y < Real(0.0), Real(-1.0), Real(1.0));
-  // Edges run between the very points where the arcs end, so that all is one closed outline.
-  Vec3 a = first.left;
-  Vec3 b = second.left;
-  Vec3 c = second.right;
-  Vec3 d = first.right;
+  // Uniform shortcut: no lane needs to clip.
+  bool clip = !all_lanes(whole);
+  Vec3 q = inside;
   if (cut) {
-    // Some point where the outline crosses the plane, if it does.
-    Vec3 q = select(view.beside, a, select(see_from, first.cone.e3, second.cone.e3));
-    q = select(first.sign != Real(0.0), arc_crossing(first.cone, first.part, front, q), q);
-    q = select(second.sign != Real(0.0), arc_crossing(second.cone, second.part, front, q), q);
-    q = select(view.beside, edge_crossing(a, b, front, q), q);
-    q = select(view.beside, edge_crossing(c, d, front, q), q);
-    Vec3 part = edge_in_front(a, b, q, up, front, s) * edges +
-                edge_in_front(c, d, q, up, front, s) * edges +
-                arc_in_front(first.cone, first.part, q, up, front, s) * first.sign +
-                arc_in_front(second.cone, second.part, q, up, front, s) * second.sign;
-    return select(whole, all, part);
+    if (clip) {
+      q = tube_crossing(ends, view.beside, inside, front);
+    }
   }
-  Vec3 clipped = closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
-                 closed_edge_term(c, d, dot(up, c), dot(up, d), s) * edges +
-                 clipped_arc_term(first.cone, first.part, up, s) * first.sign +
-                 clipped_arc_term(second.cone, second.part, up, s) * second.sign;
+  Vec3 all = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 clipped = all;
+  // The edge from one end to the other and the arc around the one, then back again.
+  for (int i = 0; i < 2; ++i) {
+    Vec3 a = ends.first.left_touched;
+    Vec3 b = ends.second.left_touched;
+    all = all + edge_term(a, b, b - a) * edges +
+          arc_term(ends.first.cone, ends.first.part) * ends.first.sign;
+    if (clip) {
+      // Between the very points where the arcs end, so that all is one closed outline.
+      a = ends.first.left;
+      b = ends.second.left;
+      if (cut) {
+        clipped = clipped + edge_in_front(a, b, q, up, front, s) * edges +
+                  arc_in_front(ends.first.cone, ends.first.part, q, up, front, s) * ends.first.sign;
+      } else {
+        clipped = clipped + closed_edge_term(a, b, dot(up, a), dot(up, b), s) * edges +
+                  clipped_arc_term(ends.first.cone, ends.first.part, up, s) * ends.first.sign;
+      }
+    }
+    ends = turned_ends(ends);
+  }
   return select(whole, all, clipped);
 }
 
@@ -301,9 +374,15 @@ FN LightIntegral integrate_tube_part(Tube tube, Vec3 position, Frame frame, Lobe
                                      Heights heights, bool cut) {
   TubeView view = tube_view(tube, position, frame);
   Real seen = tube_seen_above(tube, view);
-  return light_integral(sum_tube(tube, view, cosine_lobe(), front, heights, cut) * seen,
-                        sum_tube(tube, view, lobe, front, heights, cut) * seen, lobe,
-                        tube_outline2(tube, view, lobe));
+  Vec3 diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 specular = diffuse;
+  Lobe now = cosine_lobe();
+  for (int i = 0; i < 2; ++i) {
+    diffuse = specular;
+    specular = sum_tube(tube, view, now, front, heights, cut) * seen;
+    now = lobe;
+  }
+  return light_integral(diffuse, specular, lobe, tube_outline2(tube, view, lobe));
 }
 
 /// Integrals over a tube seen from `position` (world space), for Lambert and for `lobe`. Zero

@@ -159,9 +159,26 @@ Result<std::vector<SourceFile>> read_source(const ShaderRequest& request) {
 }
 
 // What a language wants before the first function.
+constexpr const char* k_glsl_es_preamble = R"(precision highp float;
+precision highp int;
+precision highp sampler2D;
+
+// c ? a : b, a && b and a || b, of which all is computed. Browsers make branches of the signs, and many of them
+// in a loop take SwiftShader minutes to compile.
+float {ltc}select(bool c, float a, float b) {{ return mix(b, a, c); }}
+vec2 {ltc}select(bool c, vec2 a, vec2 b) {{ return mix(b, a, bvec2(c)); }}
+vec3 {ltc}select(bool c, vec3 a, vec3 b) {{ return mix(b, a, bvec3(c)); }}
+vec4 {ltc}select(bool c, vec4 a, vec4 b) {{ return mix(b, a, bvec4(c)); }}
+int {ltc}select(bool c, int a, int b) {{ return int(c) * a + int(!c) * b; }}
+bool {ltc}select(bool c, bool a, bool b) {{ return bool(int(c) * int(a) + int(!c) * int(b)); }}
+bool {ltc}both_hold(bool a, bool b) {{ return all(bvec2(a, b)); }}
+bool {ltc}either_holds(bool a, bool b) {{ return any(bvec2(a, b)); }}
+
+)";
+
 std::string preamble(const ShaderRequest& request, bool sizes) {
   if (request.language == Language::glsl_es)
-    return "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n\n";
+    return fmt::format(k_glsl_es_preamble, fmt::arg("ltc", request.prefix));
   if (request.language == Language::metal)
     return "#include <metal_stdlib>\nusing namespace metal;\n\n";
   if (request.language == Language::hlsl && sizes)

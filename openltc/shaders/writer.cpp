@@ -282,7 +282,19 @@ Writer::Written Writer::expression(const Node& node) {
   }
 }
 
+// Of functions in the preamble.
+Writer::Written Writer::choice(const char* name, const Node& node) {
+  std::vector<Piece> parts;
+  for (const Node& part : node.parts) {
+    parts.push_back(expression(part).piece);
+    if (&part != &node.parts.back()) parts.back() = ended(std::move(parts.back()), ",");
+  }
+  return {joined({piece(global(name) + "("), broken(std::move(parts)), piece(")")}), k_tightest};
+}
+
 Writer::Written Writer::binary(const Node& node) {
+  if (language_ == Language::glsl_es && (node.text == "&&" || node.text == "||"))
+    return choice(node.text == "&&" ? "both_hold" : "either_holds", node);
   const int level = level_of(node.text);
   // What binds alike from left to right is one row of operands.
   std::vector<const Node*> row = {&node};
@@ -307,6 +319,7 @@ Writer::Written Writer::binary(const Node& node) {
 }
 
 Writer::Written Writer::conditional(const Node& node) {
+  if (language_ == Language::glsl_es) return choice("select", node);
   std::vector<Piece> parts;
   for (const Node& part : node.parts) {
     Written written = expression(part);

@@ -91,6 +91,7 @@ private:
   std::string block(const Node& node, int indent);
   Piece simple(const Node& node);
   Written binary(const Node& node);
+  Written choice(const char* name, const Node& node);
   Written call(const Node& node);
   std::vector<Piece> arguments(const Node& node);
 };
