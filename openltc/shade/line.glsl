@@ -230,7 +230,9 @@ FN_CALL ExactNodes exact_line(Surface s, Vec3 a, Vec3 b) {
   Real width =
       max(max(sqrt(dot(across, across)) * (inv_l1 * inv_l1), Real(0.02) * gap), Real(1.0e-6) * d);
   Real start = angle_of(width, from - nearest);
-  Real part = (angle_of(width, to - nearest) - start) * Real(1.0 / float(k_line_parts));
+  // Rounding must not turn it.
+  Real whole = max(angle_of(width, to - nearest) - start, Real(0.0));
+  Real part = whole * Real(1.0 / float(k_line_parts));
   ExactNodes sum = no_exact_nodes();
   for (int i = 0; i < k_line_parts; ++i) {
     for (int k = 0; k < 4; ++k) {
