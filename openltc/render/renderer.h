@@ -80,7 +80,7 @@ struct LobeSource {
 };
 
 /// From so many area lights on, groups of them are shaded together, which only one lobe by itself
-/// lets them be as a whole: with a ratio or a second lobe 500 lights take up to twice as long.
+/// lets them be as a whole: with a ratio or a second lobe 500 lights take twice as long.
 inline constexpr std::size_t k_many_lights = 64;
 
 /// The built-in lobes of the least error that take at most twice the time of the fastest (`openltc

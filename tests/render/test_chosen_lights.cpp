@@ -69,7 +69,7 @@ TEST_CASE("no pixel of a picture of many lights errs more than was allowed, and 
             chosen.light_error_nits + 1e-6 * double(brightest));
       MESSAGE("lights per point: ", chosen.lights_per_point);
       // Groups have no specular part but by the lobe alone.
-      CHECK(chosen.lights_per_point < (form == render::SpecularForm::lobe ? 0.4 : 0.7) * 150);
+      CHECK(chosen.lights_per_point < (form == render::SpecularForm::lobe ? 0.4 : 0.6) * 150);
       CHECK(chosen.lights_per_point < 0.9 * previous);
       previous = chosen.lights_per_point;
     }

@@ -138,6 +138,7 @@ struct LobeBound {
       0; ///< at least that of any point towards the lights, over its share above the horizon
   float least_density = 0; ///< at most that of any point towards any of them
   float least_length2 = 0; ///< at most |o|^2 of any of these directions
+  float most_length2 = 0;  ///< and at least
   bool above = false;      ///< all of them are above the cosine's horizon
 };
 
@@ -149,9 +150,9 @@ LobeBound bound_lobe(const BatchBounds& batch, int first, Interval x, Interval y
   const Interval oz = field(batch, k_bound_ac + offset) * x + field(batch, k_bound_ad + offset) * z;
   LobeBound lobe;
   if (oz.upper <= 0) return lobe;
-  const float most_length2 = square(magnitude(ox)) + square(magnitude(y)) + square(oz.upper);
+  lobe.most_length2 = square(magnitude(ox)) + square(magnitude(y)) + square(oz.upper);
   lobe.least_density = std::max(oz.lower - k_slack, 0.0f) * batch.lower[k_bound_density + offset] /
-                       (k_margin * square(most_length2));
+                       (k_margin * square(lobe.most_length2));
 
   float q = least_square(ox) + least_square(y);
   // Around normal incidence the frames may be turned against one another by any angle. What stays
@@ -289,13 +290,23 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
   // second lobe.
   const float ratio = batch.upper[k_bound_ratio];
   const bool far_specular = far_diffuse && !cut && ratio == 1.0f && !two;
-  // What the ratio makes of the lobe's light L is no more than L or than the BRDF in one direction
-  // of the light times L over the lobe there, whichever is more. GGX itself is within that, too.
+  // The ratio multiplies the lobe's light L by at most BRDF over lobe D in its mean direction w, or
+  // by
+  // 1. In cosine space L is the height of the vector irradiance and D(w) that of its direction,
+  // times J = det / |o|^3, what directions are magnified by: L / D(w) is at most the solid angle
+  // times J over J(w), which is finite at the lobe's own horizon, too. Of two lobes w is that of
+  // neither, and D itself is what is uneven. GGX itself is within that as well.
   float filled = density;
   if (ratio > 1) {
     const float ggx = bound_ggx(batch, cosine_to, cos_surface, cos_view.upper) /
                       std::max(batch.lower[k_bound_amplitude], 1.0e-6f);
-    const float uneven = least_density > 0 ? density / least_density : k_unbounded;
+    float uneven = k_unbounded;
+    if (two) {
+      if (least_density > 0) uneven = density / least_density;
+    } else if (lobe.least_length2 > 0) {
+      const float longer = lobe.most_length2 / lobe.least_length2;
+      uneven = k_margin * longer * std::sqrt(longer);
+    }
     filled = std::max(std::max(std::min(ggx * uneven, density * ratio), density), ggx);
   }
   const float inv_near = reach.inv_nearest, inv_near3 = inv_near * inv_near2;
