@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Frames by two worker processes beside one, by turns in one run, and what a task costs the scheduler.
 
-    cluster.py [--rounds N] [--frames N] [--tasks N]
+    cluster.py [--rounds N] [--frames N] [--width N] [--tasks N]
 
 Beside it the same for the bare tool, two of it at once and one: what the cores give just now. Wants the
 package on PYTHONPATH and Dask; `make bench-python` sets all of it."""
@@ -24,9 +24,6 @@ k_here = os.path.dirname(os.path.abspath(__file__))
 sys.path.append(os.path.join(k_here, "..", "..", "tests", "python"))
 from moving_scene import write_moving_scene  # noqa: E402
 
-k_options = dict(width=320, height=180, samples=4, threads=1)
-k_words = ["--size", "320x180", "--samples", "4", "--threads", "1", "--quiet"]
-
 
 def nothing(task, *, threads):
     return task
@@ -38,9 +35,9 @@ def seconds(call):
     return time.perf_counter() - begin
 
 
-def show(took, frames):
+def show(took, frames, size):
     middle = {key: statistics.median(values) for key, values in took.items()}
-    print(f"{frames} frames of 320 x 180, one thread each: "
+    print(f"{frames} frames of {size}, one thread each: "
           + ", ".join(f"{key} {value:.2f} s" for key, value in middle.items()))
     for one, two in (("1 worker", "2 workers"), ("1 process", "2 processes")):
         ratios = [a / b for a, b in zip(took[one], took[two])]
@@ -52,8 +49,12 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--frames", type=int, default=12)
+    parser.add_argument("--width", type=int, default=320, help="of a frame, 16 to 9")
     parser.add_argument("--tasks", type=int, default=2000)
     arguments = parser.parse_args()
+    width, height = arguments.width, arguments.width * 9 // 16
+    options = dict(width=width, height=height, samples=4, threads=1)
+    words = ["--size", f"{width}x{height}", "--samples", "4", "--threads", "1", "--quiet"]
     folder = tempfile.TemporaryDirectory()
     scene = write_moving_scene(os.path.join(folder.name, "moving.glb"))
     turn = 0
@@ -68,7 +69,7 @@ def main():
         """All frames by the tool alone, the frames dealt out beforehand."""
         output = place()
         parts = [range(k, arguments.frames, processes) for k in range(processes)]
-        running = [subprocess.Popen([_tool.path(), "render", scene, *k_words, "-o", output, "--frames",
+        running = [subprocess.Popen([_tool.path(), "render", scene, *words, "-o", output, "--frames",
                                      ",".join(map(str, part))], stderr=subprocess.PIPE) for part in parts]
         for process in running:
             if process.wait():
@@ -82,10 +83,10 @@ def main():
     for _ in range(arguments.rounds):
         for n, client in clients.items():
             took[f"{n} worker" + "s" * (n > 1)].append(seconds(lambda: openltc.cluster.render_sequence(
-                scene, range(arguments.frames), place(), client=client, **k_options)))
+                scene, range(arguments.frames), place(), client=client, **options)))
             took[f"{n} process" + "es" * (n > 1)].append(seconds(lambda: bare(n)))
     if arguments.rounds:
-        show(took, arguments.frames)
+        show(took, arguments.frames, f"{width} x {height}")
     # The scheduler and the caller are this process: its own time does not depend on what else runs.
     for n, client in clients.items():
         tasks = {k: k for k in range(arguments.tasks)}
