@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -116,6 +117,30 @@ TEST_CASE("a lean file has nothing of turned triangles and of the ratio") {
         "concentration", "outline2", "vec3 front", "bool cut"}) {
     CHECK_MESSAGE(!contains(without_comments(lean), part), std::string(part));
     CHECK_MESSAGE(contains(shader(request_of(Language::glsl)), part), std::string(part));
+  }
+}
+
+TEST_CASE("no function has two loops by a counter of one name, which HLSL takes for one variable") {
+  const std::regex counter("for \\(int (\\w+)");
+  for (const Lobe lobe : {Lobe::polynomial, Lobe::two_lobe}) {
+    ShaderRequest request = request_of(Language::hlsl, all_shapes(), lobe);
+    request.sampling = true;
+    std::istringstream lines(without_comments(shader(request)));
+    std::string function;
+    std::multiset<std::string> counters;
+    int loops = 0;
+    for (std::string line; std::getline(lines, line);) {
+      std::smatch found;
+      if (!line.empty() && line[0] != ' ' && line[0] != '}') {
+        function = line;
+        counters.clear();
+      } else if (std::regex_search(line, found, counter)) {
+        counters.insert(found[1]);
+        CHECK_MESSAGE(counters.count(found[1]) == 1, function);
+        ++loops;
+      }
+    }
+    CHECK(loops > 10);
   }
 }
 
