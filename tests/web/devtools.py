@@ -115,6 +115,14 @@ class Page:
                 return answer["result"]
             self.events.append(answer)
 
+    def crash_graphics(self):
+        """Ends the process that draws; every page loses its graphics device, and the browser starts another one."""
+        session, self.session = self.session, None
+        try:
+            self.call("Browser.crashGpuProcess")
+        finally:
+            self.session = session
+
     def resize(self, width, height, mobile=False, density=1):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=density, mobile=mobile)
 

@@ -4,17 +4,15 @@
 // How the lights of a scene get into the materials of WebGPURenderer, on both of its back ends: in the list of lights
 // that each picture gets, one node stands for all of ours.
 
-import {CodeNode, LightingNode, PhysicalLightingModel, TSL} from 'three/webgpu';
+import {CodeNode, LightingNode, PhysicalLightingModel} from 'three/webgpu';
 import {glsl} from './glsl.js';
 import {SceneLights, makeEnable} from './scene_lights.js';
 import {rayFunctions, rayParameters, ratioFunctions} from './rays.js';
 import {functionsFor, layerParameters} from './shader_text.js';
+import {cameraPosition, cameraViewMatrix, clearcoatNormalView, diffuseContribution, float, glslFn, ivec2, mat3,
+        materialClearcoat, materialClearcoatRoughness, materialRoughness, normalView, positionView, positionViewDirection,
+        property, screenCoordinate, specularColorBlended, specularF90, texture, textureLoad, transpose, vec3, wgslFn} from './tsl.js';
 import {wgsl} from './wgsl.js';
-
-// Before r186 three/tsl does not have all of them.
-const {cameraPosition, cameraViewMatrix, clearcoatNormalView, diffuseContribution, float, glslFn, ivec2, mat3,
-       materialClearcoat, materialClearcoatRoughness, materialRoughness, normalView, positionView, positionViewDirection,
-       property, screenCoordinate, specularColorBlended, specularF90, texture, textureLoad, transpose, vec3, wgslFn} = TSL;
 
 // Text that names textures: `write` gets their names.
 class TextNode extends CodeNode {

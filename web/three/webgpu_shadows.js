@@ -4,12 +4,11 @@
 // Shadows of area lights, for WebGPURenderer on both of its back ends: `openltc-three/webgpu/shadows`. As shadows.js
 // has them, but that each pass draws into targets of its own, which a second one adds to the sums.
 
-import {Color, FloatType, HalfFloatType, NearestFilter, NodeMaterial, QuadMesh, RenderTarget, RendererUtils, Scene, TSL,
+import {Color, FloatType, HalfFloatType, NearestFilter, NodeMaterial, QuadMesh, RenderTarget, RendererUtils, Scene,
         Vector2} from 'three/webgpu';
 import {AreaShadows} from './area_shadows.js';
 import {AreaRaysNode, enableAreaLights, foundNames} from './scene_webgpu.js';
-
-const {ivec2, mrt, property, renderGroup, screenCoordinate, textureLoad, uniform, vec4} = TSL;
+import {ivec2, mrt, property, renderGroup, screenCoordinate, textureLoad, uniform, vec4} from './tsl.js';
 
 function makeTarget({x, y}, type, depthBuffer) {
   const target = new RenderTarget(x, y, {count: 2, type, depthBuffer, minFilter: NearestFilter, magFilter: NearestFilter,
