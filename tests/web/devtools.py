@@ -26,15 +26,21 @@ k_keys = {"Tab": (9, ""), "Enter": (13, "\r"), "Escape": (27, ""), "Backspace": 
           "ArrowRight": (39, ""), "ArrowDown": (40, ""), " ": (32, " "), ".": (190, "."), "-": (189, "-")}
 
 
-def app_arguments(page):
-    """The words of a test of web/app, and the browser's program; where that or `page` is missing, it skips."""
+def app_arguments(page, build=None):
+    """The words of a test of web/app, and the browser's program; where that or `page` is missing, it skips. With `build`,
+    which makes the page and returns its folder, there may be none yet, and the test may be short."""
     parser = argparse.ArgumentParser()
-    for name in ("openltc", "app", "work"):
+    for name in ("openltc", "work"):
         parser.add_argument("--" + name, required=True)
+    parser.add_argument("--app", required=build is None)
+    if build:
+        parser.add_argument("--short", action="store_true")
     arguments = parser.parse_args()
     program = browser.find()
     if not program:
         skip("chromium not found (package chromium)")
+    if arguments.app is None:
+        arguments.app = build(arguments.openltc, os.path.abspath(arguments.work))
     if not os.path.exists(os.path.join(arguments.app, page)):
         skip("%s/%s is not there; make web makes it" % (arguments.app, page))
     os.makedirs(arguments.work, exist_ok=True)

@@ -4,9 +4,10 @@
 """Uses the viewer of web/app in a browser without a window, by real keys, pointer and files, and compares its picture
 with that of `openltc render`.
 
-    viewer.py --openltc PROGRAM --app FOLDER --work DIR
+    viewer.py --openltc PROGRAM [--app FOLDER] --work DIR [--short]
 
-All of it by WebGL 2; what a renderer does by WebGPU once more. FOLDER is what `make web` makes. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
+All of it by WebGL 2; what a renderer does by WebGPU once more. FOLDER is what `make web` makes; without it the page
+is built below DIR. --short: what takes a minute: no rays, no compressed files, few loads, no `openltc view`. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
 
 import base64
 import json
@@ -23,9 +24,9 @@ sys.path[:0] = [k_here, os.path.join(k_root, "tests", "parity"), os.path.join(k_
 from bad_files import bad_files
 from devtools import Page, Server, app_arguments
 from engines import read_exr, run
-from page_size import size_of
 from scenes import k_scenes, write_scene
 from three import shown
+from viewer_page import build_viewer, size_of
 
 k_size = (820, 560)
 # Steps of 255, in the mean, without edges, which the page smooths and the other does not.
@@ -341,7 +342,7 @@ def step_without(page, server):
 
 
 def main():
-    arguments, program = app_arguments("viewer.html")
+    arguments, program = app_arguments("viewer.html", build_viewer)
     work = os.path.abspath(arguments.work)
     write_scene("rect", k_scenes["rect"], work + "/rect.glb", True)
     write_scene("rect", [], work + "/dark.glb", True)
@@ -361,7 +362,8 @@ def main():
                 graphics, page.evaluate("document.documentElement.dataset.firstPicture"), *k_size), flush=True)
             check(page.evaluate("viewer.pictures.lights.length") == 4, "the demo has its lights")
             if graphics == "WebGL 2":
-                step_compressed(page)
+                if not arguments.short:
+                    step_compressed(page)
                 step_files(page, work)
                 step_keys(page)
                 step_drag(page)
@@ -370,11 +372,13 @@ def main():
                 ready(page, "rect.glb")
             step_lights(page)
             step_saved(page, arguments.openltc, work)
-            step_views(page, k_rays[graphics])
+            if not arguments.short:
+                step_views(page, k_rays[graphics])
             step_lost(page)
-            step_memory(page, work, k_loads[graphics])
+            step_memory(page, work, 5 if arguments.short else k_loads[graphics])
             check(not page.errors(), "the console has no errors: %s" % page.errors())
-        step_view(page, arguments.openltc, os.path.abspath(arguments.app), work)
+        if not arguments.short:
+            step_view(page, arguments.openltc, os.path.abspath(arguments.app), work)
         step_without(page, server)
     except (TimeoutError, RuntimeError) as error:
         check(False, "%s; message: %s" % (error, page.evaluate("document.getElementById('message')?.textContent")))
