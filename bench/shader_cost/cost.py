@@ -140,7 +140,8 @@ def time_to_compile(folder):
     if not program:
         raise parity.Skipped("no chromium (package chromium)")
     jobs = parity.time_jobs(folder)
-    jobs += [parity.time_job(folder, target, "quad", lights.k_lean) for target, _, _, _ in parity.k_browser_targets]
+    jobs += [parity.time_job(folder, target, light, lights.k_lean) for target, _, _, _ in parity.k_browser_targets
+             for light in ("quad", "all")]
     for i, light in enumerate(lights.k_usual):
         jobs.append({"name": "time_webgl2_" + light, "target": "webgl2",
                      "shader": folder.write("usual_%d.frag" % i, lights.usual_fragment_shader(light))})
@@ -165,7 +166,7 @@ def print_chromium(folder):
     for target, title, _, _ in parity.k_browser_targets:
         print("%s: %s" % (title, drivers[target] or "not measured: absent"))
     lines = []
-    for light in ("quad", "quad_" + lights.k_lean, *lights.k_usual, *kernels.k_shapes[1:], "all"):
+    for light in ("quad", "quad_" + lights.k_lean, *lights.k_usual, *kernels.k_shapes[1:], "all", "all_" + lights.k_lean):
         seconds = [best.get("time_%s_%s" % (target, light)) for target, _, _, _ in parity.k_browser_targets]
         lines.append([light.replace("_" + lights.k_lean, ", `%s`" % lights.k_lean)]
                      + ["not measured" if s is None else "%.2f s" % s for s in seconds])
