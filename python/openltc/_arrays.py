@@ -36,7 +36,8 @@ def as_vectors(array, name, dtype=np.float32):
     result = as_numpy(array, name)
     if result.ndim == 0 or result.shape[-1] != 3:
         raise ValueError(f"{name}: the shape is {result.shape}; (..., 3) is wanted")
-    result = result.astype(dtype, copy=False)
+    with np.errstate(over="ignore"):  # too far away is as good as infinitely far
+        result = result.astype(dtype, copy=False)
     shape = result.shape[:-1]
     rows = result.reshape(-1, 3)
     item = rows.itemsize

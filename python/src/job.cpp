@@ -23,14 +23,14 @@ Job::Job(nb::object progress) : report_(std::move(progress)) {}
 Progress Job::progress() {
   return [this](double share) {
     share_ = share;
-    return !stopped_;
+    return !stopped_ && !busy_.must_stop();
   };
 }
 
 bool Job::call(const std::function<void()>& task) {
   Request request{&task};
   std::unique_lock lock(mutex_);
-  if (stopped_) return false;
+  if (stopped_ || busy_.must_stop()) return false;
   requests_.push_back(&request);
   wanted_.notify_one();
   answered_.wait(lock, [&] { return request.finished; });
@@ -113,6 +113,10 @@ void Job::run(const std::function<void()>& work) {
   }
   worker.join();
   if (error_) throw *std::exchange(error_, std::nullopt);
+  if (failure && busy_.must_stop()) { // it is our doing
+    PyErr_SetNone(PyExc_SystemExit);
+    throw nb::python_error();
+  }
   if (failure) std::rethrow_exception(failure);
 }
 

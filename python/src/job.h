@@ -10,6 +10,7 @@
 
 #include "openltc/base/progress.h"
 #include "openltc/base/result.h"
+#include "python/src/busy.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -38,7 +39,7 @@ template <class T> T take(Result<T>&& result) {
 /// One piece of long work.
 class Job {
 public:
-  /// `progress` is None or a function of the share that is done, 0..1.
+  /// `progress` is None or a function of the share that is done, 0..1. Throws as Busy does.
   explicit Job(nanobind::object progress);
 
   /// Calls `work` on another thread and returns when it has ended. The calling thread has the
@@ -62,6 +63,7 @@ private:
   void keep_error();
   void look_around();
 
+  Busy busy_;
   nanobind::object report_;
   double reported_ = -1;
   std::atomic<double> share_{0};
