@@ -135,10 +135,13 @@ def main():
     for turn_of in range(arguments.rounds):
         for kind, by in (("worker", by_workers), ("process", by_processes)):
             pair = [by(n) for n in ((1, 2) if turn_of % 2 == 0 else (2, 1))][::1 if turn_of % 2 == 0 else -1]
-            if max(others for _, others in pair) > k_others:
+            (one, others), (two, more) = pair
+            print(f"{kind}: one {one:.2f} s, two {two:.2f} s, {one / two:.2f} times; others took {others:.1%} and "
+                  f"{more:.1%} of the machine", flush=True)
+            if max(others, more) > k_others:
                 disturbed += 1
             else:
-                rounds.setdefault(kind, []).append([wall for wall, _ in pair])
+                rounds.setdefault(kind, []).append((one, two))
     if disturbed:
         print(f"{disturbed} pairs are not counted: others took more than {k_others:.0%} of the machine")
     show(rounds, arguments.frames, f"{width} x {height}")

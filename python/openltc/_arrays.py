@@ -15,9 +15,9 @@ def as_numpy(array, name):
         try:
             result = np.from_dlpack(array)
         except (BufferError, RuntimeError, TypeError, ValueError) as error:
-            where = getattr(array, "device", "another device")
-            raise TypeError(f"{name}: an array on {where} cannot be read ({error}); "
-                            "move it to the CPU first") from None
+            where = str(getattr(array, "device", "another device"))
+            remedy = "give float32 or float64" if "cpu" in where.lower() else "move it to the CPU first"
+            raise TypeError(f"{name}: an array on {where} cannot be read ({error}); {remedy}") from None
     else:
         try:
             result = np.asarray(array)

@@ -112,12 +112,19 @@ class Functions(unittest.TestCase):
             self.assertLess(np.abs(got - expected).max(), 1e-2)
 
     def test_torch_and_jax(self):
-        for library in ("torch", "jax"):
-            try:
-                __import__(library)
-            except ImportError:
-                self.skipTest(f"{library} is not installed")
-            openltc.fit(lambda wo, wi, r: wi[:, 2] * 0 + 0.3, size=4, narrow=False, arrays=library)
+        for library, kind in (("torch", "Tensor"), ("jax", "Array")):
+            with self.subTest(library):
+                try:
+                    of = getattr(__import__(library), kind)
+                except ImportError:
+                    self.skipTest(f"{library} is not installed")
+
+                def flat(wo, wi, roughness):
+                    self.assertIsInstance(wi, of)
+                    return wi[:, 2] * 0 + 0.3
+
+                fit = openltc.fit(flat, size=4, narrow=False, arrays=library)
+                self.assertLess(fit.metadata["mean_tv"], 0.01)
 
     def test_faults_of_functions(self):
         def fit_of(value):
