@@ -30,8 +30,9 @@ from moving_scene import write_moving_scene  # noqa: E402
 
 
 k_others = 0.03
-# What docs/python.md says of workers on few cores.
-k_quiet = {"distributed.worker.profile.enabled": False, "distributed.admin.tick.interval": "1s"}
+# What docs/python.md says of Dask's settings.
+k_settings = {"distributed.scheduler.worker-saturation": 1.0, "distributed.worker.profile.enabled": False,
+              "distributed.admin.tick.interval": "1s"}
 
 
 @contextlib.contextmanager
@@ -73,6 +74,14 @@ def measure_idle(call, patience):
     while measure(lambda: time.sleep(1))[1] > k_others and time.monotonic() < until:
         pass
     return measure(call)
+
+
+def idle(settings, duration=4):
+    """What a cluster of two workers with nothing to do takes of a core: workers, scheduler and caller."""
+    with workers(2, settings):
+        begin = own_time()
+        time.sleep(duration)
+        return (own_time() - begin) / duration
 
 
 def show(rounds, frames, size):
@@ -121,7 +130,7 @@ def main():
                 sys.exit(process.stderr.read().decode())
 
     print(f"load before: {os.getloadavg()[0]:.1f} on {len(os.sched_getaffinity(0))} cores")
-    settings = {} if arguments.defaults else k_quiet
+    settings = {} if arguments.defaults else k_settings
     rounds, disturbed = {}, 0
 
     def by_workers(n):
@@ -154,6 +163,8 @@ def main():
             wall, cpu = time.perf_counter() - begin, time.process_time() - cpu
         print(f"{arguments.tasks} tasks that do nothing, {n} of one thread: {1e3 * wall / arguments.tasks:.2f} ms each, "
               f"{1e3 * cpu / arguments.tasks:.2f} ms of processor time in scheduler and caller")
+    if arguments.tasks:
+        print(f"two workers with nothing to do: {idle(k_settings):.1%} of a core, with Dask's own settings {idle({}):.1%}")
     print(f"load after: {os.getloadavg()[0]:.1f}")
 
 

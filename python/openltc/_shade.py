@@ -19,6 +19,11 @@ from .lights import light_list
 _part = 1 << 20
 
 
+def _part_of(pairs, lights):
+    """Points of so many pairs of a point and a light, which take a fraction of a second."""
+    return max(min(_part, pairs // max(len(lights), 1)), 1 << 12)
+
+
 class _Points:
     """Points in parts, as the library reads them. Arrays of float32 whose last axis lies side by side
     are read where they are."""
@@ -54,10 +59,10 @@ class _Points:
         arrays = [*self._vectors.values(), *self._columns, *([] if self._errors is None else [self._errors])]
         return any(np.may_share_memory(array, out) for array in arrays)
 
-    def parts(self):
+    def parts(self, size=_part):
         """(begin, end, points) one after the other."""
-        for begin in range(0, self.count, _part):
-            end = min(begin + _part, self.count)
+        for begin in range(0, self.count, size):
+            end = min(begin + size, self.count)
             cut = {name: as_vectors(array if len(array) == 1 else array[begin:end], name)[0]
                    for name, array in self._vectors.items()}
             errors = self._errors
@@ -112,7 +117,7 @@ def shade(positions, normals, views, material=None, lights=(), *, lobes="table",
     points = _Points(positions, normals, views, material, geometric_normals, position_errors)
     listed, lower, radiance = light_list(lights), _lobes_of(lobes), _output(points, out)
     threads = whole(threads, "threads", 0)
-    for begin, end, part in points.parts():
+    for begin, end, part in points.parts(_part_of(1 << 22, listed)):
         _openltc.shade(lower, listed, part, threads, radiance[begin:end])
     return radiance.reshape(*points.shape, 3) if out is None else out
 
@@ -125,7 +130,7 @@ def shade_parts(positions, normals, views, material=None, lights=(), *, lobes="t
     listed, lower = light_list(lights), _lobes_of(lobes)
     diffuse, specular = _output(points, None), _output(points, None)
     threads = whole(threads, "threads", 0)
-    for begin, end, part in points.parts():
+    for begin, end, part in points.parts(_part_of(1 << 18, listed)):
         _openltc.shade_parts(lower, listed, part, threads, diffuse[begin:end], specular[begin:end])
     return diffuse.reshape(*points.shape, 3), specular.reshape(*points.shape, 3)
 

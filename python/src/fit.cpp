@@ -139,7 +139,11 @@ void measure(Fitted& fitted, bool whole, nb::object progress) {
   // Of a function of the caller's, one light takes hundreds of calls.
   if (!whole || fitted.function) options.lights.count = 0;
   Job job(std::move(progress));
-  const brdf::Brdf own = fitted.brdf_in(job);
+  const brdf::Brdf own = fitted.stopping_brdf_in(job);
+  candidates.front().lobes = [lobes = candidates.front().lobes, &job](double r, double cosine) {
+    job.stop_here();
+    return lobes(r, cosine);
+  };
   std::optional<fit::Report> made;
   job.run([&] { made = take(fit::make_report(own, candidates, options)); });
   if (report) return;

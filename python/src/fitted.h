@@ -31,6 +31,16 @@ struct Fitted {
   brdf::Brdf brdf_in(Job& job) const {
     return function ? brdf_of(function, &job, brdf.name, brdf.width, brdf.has_parameter()) : brdf;
   }
+  /// The same for work that does not ask the job whether to go on: the BRDF does.
+  brdf::Brdf stopping_brdf_in(Job& job) const {
+    brdf::Brdf own = brdf_in(job);
+    if (!function)
+      own.eval = [eval = brdf.eval, &job](Vec3d wo, Vec3d wi, double roughness) {
+        job.stop_here();
+        return eval(wo, wi, roughness);
+      };
+    return own;
+  }
 };
 
 /// Adds the class and openltc.fit's lower half.

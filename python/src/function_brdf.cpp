@@ -46,7 +46,7 @@ void Callable::call(Job& job, Vec3d wo, std::span<const Vec3d> wi, double roughn
       throw std::length_error("the BRDF gave another number of values than of directions");
     std::copy_n(numbers.data(), values.size(), values.begin());
   });
-  if (!done) throw std::runtime_error("the job was stopped");
+  if (!done) throw std::runtime_error("the job was stopped"); // also where there is no function
 }
 
 brdf::Brdf brdf_of(const std::shared_ptr<Callable>& callable, Job* job, std::string name,

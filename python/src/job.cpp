@@ -23,14 +23,18 @@ Job::Job(nb::object progress) : report_(std::move(progress)) {}
 Progress Job::progress() {
   return [this](double share) {
     share_ = share;
-    return !stopped_ && !busy_.must_stop();
+    return !is_stopped();
   };
+}
+
+void Job::stop_here() const {
+  if (is_stopped()) throw std::runtime_error("the job was stopped");
 }
 
 bool Job::call(const std::function<void()>& task) {
   Request request{&task};
   std::unique_lock lock(mutex_);
-  if (stopped_ || busy_.must_stop()) return false;
+  if (is_stopped()) return false;
   requests_.push_back(&request);
   wanted_.notify_one();
   answered_.wait(lock, [&] { return request.finished; });

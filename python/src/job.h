@@ -49,6 +49,10 @@ public:
   /// The library's view of this job. From any thread.
   Progress progress();
 
+  /// Throws std::runtime_error when the job is being stopped, for work that is not asked. From any
+  /// thread.
+  void stop_here() const;
+
   /// Has `task`, which may use the interpreter, done by the calling thread of run(). From `work`
   /// and its threads. False, and not done, when the job is being stopped, or stops because of it.
   bool call(const std::function<void()>& task);
@@ -62,6 +66,7 @@ private:
   void serve(std::unique_lock<std::mutex>& lock);
   void keep_error();
   void look_around();
+  bool is_stopped() const { return stopped_ || busy_.must_stop(); }
 
   Busy busy_;
   nanobind::object report_;

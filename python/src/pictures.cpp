@@ -112,7 +112,7 @@ std::string error_figure(Fitted& fitted, std::vector<std::string> norms) {
   if (!norms.empty()) options.norms = std::move(norms);
   options.command = fitted.request.command;
   Job job{nb::none()};
-  options.brdf = fitted.brdf_in(job);
+  options.brdf = fitted.stopping_brdf_in(job);
   std::string svg;
   job.run([&] { svg = to_svg(take(plot::make_error_figure(options)), draw::Theme::automatic); });
   return svg;
@@ -126,7 +126,7 @@ std::string fit_figure(Fitted& fitted, std::vector<double> theta_degrees,
   if (!roughness.empty()) options.roughness = std::move(roughness);
   options.command = fitted.request.command;
   Job job{nb::none()};
-  options.brdf = fitted.brdf_in(job);
+  options.brdf = fitted.stopping_brdf_in(job);
   std::string svg;
   job.run([&] { svg = to_svg(take(plot::make_fit_figure(options)), draw::Theme::automatic); });
   return svg;
