@@ -30,9 +30,8 @@ from moving_scene import write_moving_scene  # noqa: E402
 
 
 k_others = 0.03
-# What docs/python.md says of Dask's settings.
-k_settings = {"distributed.scheduler.worker-saturation": 1.0, "distributed.worker.profile.enabled": False,
-              "distributed.admin.tick.interval": "1s"}
+# What docs/python.md says of machines of few cores.
+k_settings = {"distributed.worker.profile.enabled": False, "distributed.admin.tick.interval": "1s"}
 
 
 @contextlib.contextmanager
@@ -153,7 +152,8 @@ def main():
                 rounds.setdefault(kind, []).append((one, two))
     if disturbed:
         print(f"{disturbed} pairs are not counted: others took more than {k_others:.0%} of the machine")
-    show(rounds, arguments.frames, f"{width} x {height}")
+    if rounds:
+        show(rounds, arguments.frames, f"{width} x {height}")
     # The scheduler and the caller are this process: its own time does not depend on what else runs.
     for n in (1, 2) if arguments.tasks else ():
         tasks = {k: k for k in range(arguments.tasks)}
