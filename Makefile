@@ -68,7 +68,7 @@ web-test: web ## Test the npm packages, the laboratory and the viewer: in Node, 
 	@/usr/bin/python3 -B tests/web/lab.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/lab
 	@/usr/bin/python3 -B tests/web/keyboard.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/keyboard
 	@/usr/bin/python3 -B tests/web/viewer.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/viewer
-	@/usr/bin/python3 -B tests/web/webgpu_rays.py --web out/web --work out/web-test/rays
+	@/usr/bin/python3 -B tests/web/rays.py --web out/web --work out/web-test/rays
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh

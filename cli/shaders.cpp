@@ -100,6 +100,7 @@ constexpr const char* k_shaders_footer =
     "  openltc shaders --language wgsl -o .                        ltc_quad.wgsl\n"
     "  openltc shaders --language wgsl --lean -o .                 ltc_quad_lean.wgsl\n"
     "  openltc shaders --language hlsl --shapes quad,sphere,tube -o Shaders\n"
+    "  openltc shaders --language glsl --shapes quad --sampling -o .   for shadows by rays\n"
     "  openltc shaders --language metal --shapes all --lobe two-lobe --prefix Area_ -o .";
 
 } // namespace
@@ -132,6 +133,8 @@ void add_shaders(CLI::App& app, int& exit_code) {
   command->add_flag("--lean", arguments->request.lean,
                     "Without set_geometric_normal (for normal maps) and correct_at_mean (for small "
                     "lights): less to compile");
+  command->add_flag("--sampling", arguments->request.sampling,
+                    "With functions that draw points of the lights, for shadows by rays");
   command
       ->add_option("--prefix", arguments->request.prefix, "What every name of the file begins with")
       ->capture_default_str();

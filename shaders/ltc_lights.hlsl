@@ -2933,7 +2933,7 @@ float3 ltc_tube_crossing(ltc_TubeEnds ends, bool beside, float3 inside, float3 f
     q = now.first.sign != 0.0 ? ltc_arc_crossing(now.first.cone, now.first.part, front, q) : q;
     now = ltc_turned_ends(now);
   }
-  for (int i = 0; i < 2; ++i) {
+  for (int j = 0; j < 2; ++j) {
     q = beside ? ltc_edge_crossing(now.first.left, now.second.left, front, q) : q;
     now = ltc_turned_ends(now);
   }

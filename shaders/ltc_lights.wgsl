@@ -2943,7 +2943,7 @@ fn ltc_tube_crossing(ends: ltc_TubeEnds, beside: bool, inside: vec3f, front: vec
     q = select(q, ltc_arc_crossing(now.first.cone, now.first.part, front, q), now.first.sign != 0.0);
     now = ltc_turned_ends(now);
   }
-  for (var i = 0; i < 2; i++) {
+  for (var j = 0; j < 2; j++) {
     q = select(q, ltc_edge_crossing(now.first.left, now.second.left, front, q), beside);
     now = ltc_turned_ends(now);
   }

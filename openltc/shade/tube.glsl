@@ -215,7 +215,7 @@ FN Vec3 tube_crossing(TubeEnds ends, Mask beside, Vec3 inside, Vec3 front) {
                q);
     now = turned_ends(now);
   }
-  for (int i = 0; i < 2; ++i) {
+  for (int j = 0; j < 2; ++j) {
     q = select(beside, edge_crossing(now.first.left, now.second.left, front, q), q);
     now = turned_ends(now);
   }

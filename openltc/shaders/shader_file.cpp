@@ -73,7 +73,15 @@ std::vector<std::string> entry_files(const ShaderRequest& request) {
                                         "table_surface", "two_lobe_table_surface"};
   std::vector<std::string> names = {k_surfaces[int(request.lobe)], "gltf_surface", "lights"};
   if (has(request, Shape::textured)) names.push_back("textured");
+  if (request.sampling) names.push_back("sampling");
   return names;
+}
+
+// What functions of a light have in their names.
+constexpr const char* light_of(Shape shape) {
+  constexpr const char* k_lights[] = {"quad", "polygon", "ellipse", "sphere",
+                                      "tube", "line",    "quad"};
+  return k_lights[int(shape)];
 }
 
 Roots roots_of(const ShaderRequest& request) {
@@ -110,6 +118,17 @@ Roots roots_of(const ShaderRequest& request) {
     }
   }
   if (parts) roots.structs.insert("ShadedLight");
+  if (request.sampling) {
+    roots.structs.insert("LightPoint");
+    add({"point_density", "eval_point"});
+    for (const Shape shape : request.shapes) {
+      const std::string light = light_of(shape);
+      roots.functions.insert("draw_" + light);
+      if (shape == Shape::line) continue;
+      roots.functions.insert("meet_" + light);
+      add({"lobe_direction"});
+    }
+  }
   return roots;
 }
 
@@ -247,6 +266,7 @@ std::string file_name(const ShaderRequest& request) {
   constexpr const char* k_lobes[] = {"", "_two_lobe_polynomial", "_table", "_two_lobe"};
   name += k_lobes[int(request.lobe)];
   if (request.lean) name += "_lean";
+  if (request.sampling) name += "_sampling";
   if (request.language == Language::glsl_es) name += "_es";
   return name + words_of(request.language).extension;
 }

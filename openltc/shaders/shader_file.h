@@ -45,6 +45,7 @@ struct ShaderRequest {
   Lobe lobe = Lobe::polynomial;
   std::vector<Shape> shapes = {Shape::quad};
   bool lean = false;           ///< without set_geometric_normal and correct_at_mean
+  bool sampling = false;       ///< with points of the lights, for shadows by rays
   std::string prefix = "ltc_"; ///< of all names that the file gives to others
   std::string version;         ///< of the program
 };
@@ -53,7 +54,8 @@ struct ShaderRequest {
 /// single underscores. The error says what is wrong.
 Status check_prefix(const std::string& prefix);
 
-/// The name of the file, by prefix, shapes, lobe, language and whether it is lean: "ltc_quad.glsl".
+/// The name of the file, by prefix, shapes, lobe, language, whether it is lean and samples:
+/// "ltc_quad.glsl".
 std::string file_name(const ShaderRequest& request);
 
 /// Its text: the same for the same request, on every machine. The error names the file of the

@@ -76,6 +76,21 @@ public:
     }
   }
 
+  // A point of the light that shape() declares.
+  std::string point(Shape shape) const {
+    constexpr const char* k_draws[] = {"quad(lamp",   "polygon(outline", "ellipse(disk",
+                                       "sphere(ball", "tube(rod",        "line(wire",
+                                       "quad(screen"};
+    constexpr const char* k_points[] = {"on_lamp", "on_outline", "on_disk",  "on_ball",
+                                        "on_rod",  "on_wire",    "on_screen"};
+    const std::string name = k_points[int(shape)];
+    return value("LightPoint", name,
+                 fmt::format("draw_{}, position, random)", k_draws[int(shape)])) +
+           fmt::format("//   sampled += {0}eval_point(surface, {1}, {0}point_density(surface, {1}, "
+                       "0.0));\n",
+                       request_.prefix, name);
+  }
+
 private:
   const ShaderRequest& request_;
   bool samplers_ = false;
@@ -132,6 +147,7 @@ std::string command_of(const ShaderRequest& request) {
                                  ? std::string("all")
                                  : joined_names(request.shapes, ","));
   if (request.lean) command += " --lean";
+  if (request.sampling) command += " --sampling";
   if (request.prefix != "ltc_") command += " --prefix " + request.prefix;
   return command;
 }
@@ -155,16 +171,18 @@ std::string head_of(const ShaderRequest& request) {
                      "gltf_surface(" + calls.table() +
                          "position, normal, view, base_color, metallic, roughness)");
   for (const Shape shape : request.shapes)
-    out += calls.shape(shape);
+    out += calls.shape(shape) + (request.sampling ? calls.point(shape) : "");
   out += "// `normal`, on the viewer's side, and `view`, to the eye, are unit and in world space, "
          "like all else;\n"
          "// a lamp emits along half_u x half_v. The result has no shadow. "
          "One `surface` serves all lights.\n";
+  if (request.sampling)
+    out += "// `sampled` is the light by one point of each, for shadows: see \"sampling\" below.\n";
   for (const Shape shape : request.shapes)
     if (shape == Shape::polygon) out += polygon_lines(request);
   out += fmt::format(
       "//\n// More:\n"
-      "//   {0}surface_at              a surface of any reflectance, instead of glTF's\n{1}{2}",
+      "//   {0}surface_at              a surface of any reflectance, instead of glTF's\n{1}{2}{3}",
       prefix,
       request.lean
           ? ""
@@ -177,7 +195,11 @@ std::string head_of(const ShaderRequest& request) {
       request.shapes == std::vector<Shape>{Shape::textured}
           ? ""
           : fmt::format("//   {}shade_..._parts         diffuse and specular light apart\n",
-                        prefix));
+                        prefix),
+      request.sampling && request.shapes != std::vector<Shape>{Shape::line}
+          ? fmt::format("//   {0}meet_..., {0}lobe_direction   points by the surface's lobe\n",
+                        prefix)
+          : "");
   out += fmt::format("//\n// Comments are those of the source: names have no {} there, a lane is "
                      "an invocation, and files that\n"
                      "// they name are OpenLTC's, as is docs/method.md, where all is derived.\n",

@@ -57,8 +57,8 @@ def make_handler(page_file, folder, jobs, answers, done, root):
                 self.reply(json.dumps(jobs).encode(), "application/json")
             elif self.path.startswith("/data/"):
                 self.reply_file(os.path.join(folder, os.path.basename(self.path)))
-            elif root and ".." not in self.path and os.path.isfile(root + self.path):
-                self.reply_file(root + self.path)
+            elif root and ".." not in self.path and os.path.isfile(root + self.path.split("?")[0]):
+                self.reply_file(root + self.path.split("?")[0])
             else:
                 self.send_error(404)
 

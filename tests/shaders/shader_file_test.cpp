@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -78,6 +79,7 @@ TEST_CASE("every name that others see begins with the prefix") {
     for (const Lobe lobe : {Lobe::two_lobe_polynomial, Lobe::two_lobe}) {
       ShaderRequest request = request_of(language, all_shapes(), lobe);
       request.prefix = "Zz";
+      request.sampling = true;
       const std::string text = without_comments(shader(request));
       int names = 0;
       for (std::sregex_iterator at(text.begin(), text.end(), declared), end; at != end;
@@ -118,6 +120,43 @@ TEST_CASE("a lean file has nothing of turned triangles and of the ratio") {
   }
 }
 
+TEST_CASE("no function has two loops by a counter of one name, which HLSL takes for one variable") {
+  const std::regex counter("for \\(int (\\w+)");
+  for (const Lobe lobe : {Lobe::polynomial, Lobe::two_lobe}) {
+    ShaderRequest request = request_of(Language::hlsl, all_shapes(), lobe);
+    request.sampling = true;
+    std::istringstream lines(without_comments(shader(request)));
+    std::string function;
+    std::multiset<std::string> counters;
+    int loops = 0;
+    for (std::string line; std::getline(lines, line);) {
+      std::smatch found;
+      if (!line.empty() && line[0] != ' ' && line[0] != '}') {
+        function = line;
+        counters.clear();
+      } else if (std::regex_search(line, found, counter)) {
+        counters.insert(found[1]);
+        CHECK_MESSAGE(counters.count(found[1]) == 1, function);
+        ++loops;
+      }
+    }
+    CHECK(loops > 10);
+  }
+}
+
+TEST_CASE("points of lights are in a file that is asked for them, those of its shapes alone") {
+  ShaderRequest request = request_of(Language::wgsl, {Shape::sphere, Shape::line});
+  CHECK(!contains(shader(request), "LightPoint"));
+  request.sampling = true;
+  CHECK(file_name(request) == "ltc_sphere_line_sampling.wgsl");
+  const std::string text = without_comments(shader(request));
+  for (const char* part : {"fn ltc_draw_sphere(", "fn ltc_meet_sphere(", "fn ltc_draw_line(",
+                           "fn ltc_eval_point(", "fn ltc_point_density(", "fn ltc_lobe_direction("})
+    CHECK_MESSAGE(contains(text, part), std::string(part));
+  for (const char* other : {"quad", "tube", "polygon_data", "meet_line"})
+    CHECK_MESSAGE(!contains(text, other), std::string(other));
+}
+
 TEST_CASE("sources, derivations and structure are in the file") {
   const std::string text = shader(request_of(Language::hlsl));
   CHECK(contains(
@@ -142,7 +181,9 @@ TEST_CASE("what the head of a file names is in it") {
   for (const Language language : all_languages())
     for (const Shape shape : all_shapes())
       for (const Lobe lobe : {Lobe::polynomial, Lobe::two_lobe_polynomial, Lobe::two_lobe}) {
-        const std::string text = shader(request_of(language, {shape}, lobe));
+        ShaderRequest request = request_of(language, {shape}, lobe);
+        request.sampling = lobe == Lobe::polynomial;
+        const std::string text = shader(request);
         const std::size_t end = text.find("\n\n");
         const std::string head = text.substr(0, end), code = without_comments(text.substr(end));
         int names = 0;

@@ -9,33 +9,20 @@
 #include "openltc/api/polygon_packing.h"
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f64.h"
-#include "tests/shade/random.h"
-#include "tests/shaders/metal/metal_case.h"
+#include "tests/shaders/light_sample.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
 using namespace openltc;
-using testing::Random;
+using namespace openltc::testing;
 
 namespace {
-
-using Numbers = std::array<float, 3>;
-
-void store(Vec3d v, float* out) {
-  out[0] = float(v.x);
-  out[1] = float(v.y);
-  out[2] = float(v.z);
-}
-
-Vec3d load(const float* p) { return {double(p[0]), double(p[1]), double(p[2])}; }
-Vec3f load_float(const float* p) { return {p[0], p[1], p[2]}; }
 
 // Mip levels of a picture by means of four, as an engine would make them.
 struct Mips {
@@ -74,110 +61,6 @@ private:
   }
 };
 
-// A polygon's elements as the shader files want them.
-std::vector<float> elements_of(const PackedPolygon& packed) {
-  const PolygonView& v = packed.view;
-  std::vector<float> out = {float(v.point_count), v.two_sided ? 1.0f : 0.0f, v.area, 0.0f};
-  const auto add = [&](const float* p, float w) { out.insert(out.end(), {p[0], p[1], p[2], w}); };
-  add(v.origin, 0);
-  add(v.axis_u, 0);
-  add(v.axis_v, 0);
-  add(v.normal, 0);
-  add(v.centroid, v.radius);
-  add(v.spread_u, 0);
-  add(v.spread_v, 0);
-  out.insert(out.end(), packed.points.begin(), packed.points.end());
-  return out;
-}
-
-/// A point under a light at random, and what its light is.
-struct Sample {
-  metal_run::Case at;
-  PackedPolygon packed;
-  std::vector<float> elements;
-};
-
-Vec3d unit(Vec3d v) { return v * (1.0 / std::sqrt(dot(v, v))); }
-
-// A frame, and a light of about `size` at `place`.
-void place_light(Random& random, Sample& sample, Vec3d place, double size) {
-  metal_run::Case& at = sample.at;
-  const Vec3d u = unit(random.sphere());
-  const Vec3d v = unit(cross(u, random.sphere()));
-  float* l = at.light;
-  store(place, l);
-  const float two_sided = random.uniform() < 0.5 ? 1.0f : 0.0f;
-  switch (at.shape) {
-  case metal_run::k_quad:
-  case metal_run::k_textured:
-    store(u * size, l + 3);
-    // Pictures want right angles.
-    store((at.shape == metal_run::k_quad ? unit(v + u * random.uniform(-0.5, 0.5)) : v) * size *
-              random.uniform(0.3, 1.0),
-          l + 6);
-    l[9] = two_sided;
-    break;
-  case metal_run::k_polygon: {
-    // An L with a hole.
-    const double outline[][2] = {{-1, -1}, {1, -1},      {1, 0},       {0, 0},       {0, 1},
-                                 {-1, 1},  {-0.8, -0.8}, {-0.8, -0.4}, {-0.4, -0.4}, {-0.4, -0.8}};
-    std::vector<Vec3f> vertices;
-    for (const auto& p : outline) {
-      float vertex[3];
-      store(place + u * (p[0] * size) + v * (p[1] * size), vertex);
-      vertices.push_back(load_float(vertex));
-    }
-    const Vec3d n = cross(u, v);
-    sample.packed =
-        pack_polygon(vertices, {6, 10}, Vec3f(float(n.x), float(n.y), float(n.z)), two_sided > 0);
-    sample.elements = elements_of(sample.packed);
-    break;
-  }
-  case metal_run::k_disk:
-    store(u, l + 3);
-    l[6] = float(size);
-    l[7] = two_sided;
-    break;
-  case metal_run::k_sphere:
-    l[3] = float(size);
-    break;
-  default: // tubes and lines
-    store(place + u * (2 * size), l + 3);
-    l[6] = float(size * random.uniform(0.05, 0.5));
-    l[7] = float(random.integer(3));
-  }
-}
-
-Sample make_sample(Random& random, metal_run::Shape shape) {
-  Sample sample{};
-  metal_run::Case& at = sample.at;
-  at.shape = shape;
-  const Vec3d normal = unit(random.sphere());
-  Vec3d view = unit(random.sphere());
-  while (dot(view, normal) < 0.05)
-    view = unit(random.sphere());
-  const Vec3d position = random.sphere() * random.uniform(0.0, 3.0);
-  store(position, at.position);
-  store(normal, at.normal);
-  store(view, at.view);
-  for (float& c : at.base_color)
-    c = float(random.uniform(0.1, 0.9));
-  at.metallic = random.uniform() < 0.5 ? 0.0f : float(random.uniform());
-  at.roughness = float(random.uniform(0.15, 1.0));
-  at.corrected = random.uniform() < 0.5;
-  at.tilted = random.uniform() < 0.25;
-  Vec3d geometric = unit(normal + random.sphere() * 0.4);
-  if (dot(geometric, view) < 0.02) at.tilted = false;
-  store(geometric, at.geometric);
-  // From small to large against the distance, above, across and below the horizon.
-  Vec3d direction = unit(random.sphere());
-  if (dot(direction, normal) < -0.1) direction = direction * -1.0;
-  const double distance = random.log_uniform(0.3, 5);
-  place_light(random, sample, position + direction * distance,
-              distance * random.log_uniform(0.01, 0.8));
-  return sample;
-}
-
 enum class Lobes { polynomial, two_lobe_polynomial, two_lobe_table };
 
 LobePolynomialView polynomial_of(Lobes lobes) {
@@ -207,12 +90,6 @@ f64::Surface surface_of(const metal_run::Case& at, Lobes lobes) {
     s = f64::add_second_lobe(s, f64::eval_second_lobe_polynomial(polynomial, alpha, cosine));
   if (at.tilted) s = f64::set_geometric_normal(s, load(at.geometric));
   return at.corrected ? f64::correct_at_mean(s) : s;
-}
-
-PackedPolygon corners_of(const metal_run::Case& at) {
-  const Vec3f c = load_float(at.light), u = load_float(at.light + 3), v = load_float(at.light + 6);
-  return pack_polygon({c - u - v, c + u - v, c + u + v, c - u + v}, {4}, normalize(cross(u, v)),
-                      at.light[9] > 0);
 }
 
 // Of a picture: each part times its mean as each lobe sees it (docs/lights.md).
@@ -245,7 +122,8 @@ Vec3d textured_light(const f64::Surface& s, const metal_run::Case& at, const Mip
          shaded.specular * specular;
 }
 
-f64::ShadedLight expected_light(const f64::Surface& s, const Sample& sample, const Mips& mips) {
+f64::ShadedLight expected_light(const f64::Surface& s, const LightSample& sample,
+                                const Mips& mips) {
   const metal_run::Case& at = sample.at;
   const float* l = at.light;
   switch (at.shape) {
@@ -310,7 +188,7 @@ Errors errors_of(metal_run::Shape shape, Lobes lobes) {
   const TableTextures textures(table::builtin_ggx_two_lobe_table().view());
   Errors errors;
   for (int i = 0; i < k_samples; ++i) {
-    Sample sample = make_sample(random, shape);
+    LightSample sample = make_light_sample(random, shape);
     sample.at.polygon = sample.elements.data();
     sample.at.picture = {mips.levels.data(), int(mips.levels.size())};
     const metal_run::Light light = light_of(sample.at, lobes, textures);

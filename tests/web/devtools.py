@@ -26,15 +26,21 @@ k_keys = {"Tab": (9, ""), "Enter": (13, "\r"), "Escape": (27, ""), "Backspace": 
           "ArrowRight": (39, ""), "ArrowDown": (40, ""), " ": (32, " "), ".": (190, "."), "-": (189, "-")}
 
 
-def app_arguments(page):
-    """The words of a test of web/app, and the browser's program; where that or `page` is missing, it skips."""
+def app_arguments(page, build=None):
+    """The words of a test of web/app, and the browser's program; where that or `page` is missing, it skips. With `build`,
+    which makes the page and returns its folder, there may be none yet, and the test may be short."""
     parser = argparse.ArgumentParser()
-    for name in ("openltc", "app", "work"):
+    for name in ("openltc", "work"):
         parser.add_argument("--" + name, required=True)
+    parser.add_argument("--app", required=build is None)
+    if build:
+        parser.add_argument("--short", action="store_true")
     arguments = parser.parse_args()
     program = browser.find()
     if not program:
         skip("chromium not found (package chromium)")
+    if arguments.app is None:
+        arguments.app = build(arguments.openltc, os.path.abspath(arguments.work))
     if not os.path.exists(os.path.join(arguments.app, page)):
         skip("%s/%s is not there; make web makes it" % (arguments.app, page))
     os.makedirs(arguments.work, exist_ok=True)
@@ -114,6 +120,14 @@ class Page:
                     raise RuntimeError("%s: %s" % (method, answer["error"]["message"]))
                 return answer["result"]
             self.events.append(answer)
+
+    def crash_graphics(self):
+        """Ends the process that draws; every page loses its graphics device, and the browser starts another one."""
+        session, self.session = self.session, None
+        try:
+            self.call("Browser.crashGpuProcess")
+        finally:
+            self.session = session
 
     def resize(self, width, height, mobile=False, density=1):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=density, mobile=mobile)

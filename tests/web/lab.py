@@ -65,6 +65,14 @@ def main():
         check(start["no_preview"] == "" and 2 < start["brightness"] < 200, "there is a picture: %s" % start)
         check(start["worst"] == 5 and "Both integrals are" in start["polygon"], "figures: %s" % start)
         check_beside(start["beside"], "one lobe")
+    if "webgpu" in found and found["webgpu"]["graphics"] == "WebGPU":
+        webgpu = found["webgpu"]
+        check(webgpu["no_preview"] == "" and abs(webgpu["brightness"] - found["start"]["brightness"]) < 1,
+              "the picture by WebGPU is that by WebGL 2: %s" % webgpu)
+        check_beside(webgpu["beside"], "one lobe by WebGPU")
+        check_beside(webgpu["two"], "two lobes by WebGPU")
+    elif "webgpu" in found:
+        print("skipped: no WebGPU in this browser")
     if "lost" in found:
         check("lost" in found["lost"]["message"] and found["lost"]["brightness"] > 2, "a lost device: %s" % found["lost"])
     if "two_lobes" in found:
@@ -97,7 +105,7 @@ def main():
         check(merl["good"]["message"] == "" and "measured" in merl["good"]["about"] and 0 < merl["good"]["tv"] < 0.5,
               "a measured material: %s" % merl)
         check("short.binary" in merl["bad"], "a file that is none: %s" % merl)
-    check(len(found) == 12, "every step was taken: %s" % sorted(found))
+    check(len(found) == 13, "every step was taken: %s" % sorted(found))
     print("%d steps, %d failures" % (len(found), len(k_failures)))
     sys.exit(1 if k_failures else 0)
 

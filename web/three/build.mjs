@@ -44,7 +44,7 @@ function definitions(text) {
 function shaders(openltc, language) {
   const folder = mkdtempSync(join(tmpdir(), 'openltc-three-'));
   try {
-    execFileSync(openltc, ['shaders', '--language', language, '--lean', '--shapes', 'quad,polygon,disk,sphere,tube,line,textured',
+    execFileSync(openltc, ['shaders', '--language', language, '--lean', '--sampling', '--shapes', 'quad,polygon,disk,sphere,tube,line,textured',
                            '--prefix', prefix, '--quiet', '-o', folder]);
     const [name] = readdirSync(folder);
     const found = definitions(code(readFileSync(join(folder, name), 'utf8'))).map(([own, text]) => [own, withoutBranches(text)]);

@@ -19,7 +19,11 @@ export class AreaLightHelper extends LineSegments {
   update() {
     const corners = this.light.outlines().flatMap(
         outline => outline.flatMap((point, i) => [...point, ...outline[(i + 1) % outline.length]]));
-    this.geometry.setAttribute('position', new Float32BufferAttribute(corners, 3));
+    const {position} = this.geometry.attributes;
+    if (position?.array.length === corners.length) {
+      position.set(corners);
+      position.needsUpdate = true;
+    } else this.geometry.setAttribute('position', new Float32BufferAttribute(corners, 3));
     this.geometry.computeBoundingSphere();
   }
 

@@ -21,6 +21,7 @@ export const heads = Object.fromEntries(shapes.map((shape, i) => [shape, i])), o
 export class LightRows {
   constructor() {
     this.casts = false; // whether any light casts shadows
+    this.brightest = 0; // the largest radiance of a light
     this.reserve(1);
   }
 
@@ -36,12 +37,15 @@ export class LightRows {
   write(lights, origin) {
     const elements = Array(shapes.length + 1);
     this.casts = lights.some(({light}) => light.castShadow);
+    this.brightest = 0;
     for (const shape of shapes) {
       const begin = elements.length;
       for (const {light, factor} of lights.filter(one => one.shape === shape)) {
         const frame = light.frame(origin), own = light.elements(frame), radiance = light.radiance(frame);
         const next = light.castShadow ? -own.length - 1 : own.length + 1;
-        elements.push([...light.color.toArray().map((c, k) => c * factor[k] * radiance), next], ...own);
+        const color = light.color.toArray().map((c, k) => c * factor[k] * radiance);
+        this.brightest = Math.max(this.brightest, ...color);
+        elements.push([...color, next], ...own);
       }
       elements[heads[shape]] = [begin, elements.length, 0, 0];
     }

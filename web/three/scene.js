@@ -5,7 +5,7 @@
 // material of the scene is given the shader for the shapes that are there.
 
 import {glsl} from './glsl.js';
-import {rayFunctions, rayStatements, ratioFunctions, sumStatements} from './rays.js';
+import {rayFunctions, ratioFunctions} from './rays.js';
 import {LightRows} from './rows.js';
 import {SceneLights, makeEnable} from './scene_lights.js';
 import {functionsFor, picturesOf} from './shader_text.js';
@@ -30,16 +30,39 @@ const statements = `
 }
 `;
 
+// And in the pass that sums, which has the same arguments.
+const rayStatements = `
+{
+  mat3 sums = openltc_trace(transpose(mat3(viewMatrix)), cameraPosition, geometryPosition, geometryNormal,
+      geometryViewDir, material.diffuseContribution, material.specularColorBlended, material.specularF90, roughnessFactor,
+      cross(dFdx(vViewPosition), dFdy(vViewPosition)), gl_FragCoord.xy, openltc_frame
+#ifdef USE_CLEARCOAT
+      , geometryClearcoatNormal, material.clearcoatRoughness - geometryRoughness, material.clearcoat
+#endif
+  );
+  openltc_all = sums[0];
+  openltc_open = sums[1];
+}
+`;
+
+// And at its end, in place of the colour.
+const sumStatements = `
+gl_FragColor = vec4(texelFetch(openltc_unshadowed, ivec2(gl_FragCoord.xy), 0).rgb + openltc_all, 1.0);
+openltc_shadowed_sum = vec4(texelFetch(openltc_shadowed, ivec2(gl_FragCoord.xy), 0).rgb + openltc_open, 1.0);
+`;
+
+const ratioStatements = `
+openltc_ratio = openltc_ratio_of(texelFetch(openltc_unshadowed, ivec2(gl_FragCoord.xy), 0).rgb,
+                                 texelFetch(openltc_shadowed, ivec2(gl_FragCoord.xy), 0).rgb);
+`;
+
 // Uniforms are the same objects for all materials; the scene that is rendered sets their values. Others, which share
 // its materials, find no lights. All materials have all of them, since three.js keeps those of one of its programs.
 const none = new LightRows(), pictureNames = [0, 1, 2, 3].map(k => `openltc_picture_${k}`);
 export const sharedUniforms = Object.fromEntries(
-    ['openltc_elements', ...pictureNames, 'openltc_unshadowed', 'openltc_shadowed', 'openltc_bvh', 'openltc_frame']
+    ['openltc_elements', ...pictureNames, 'openltc_unshadowed', 'openltc_shadowed', 'openltc_branches', 'openltc_frame']
         .map(name => [name, {value: null}]));
 sharedUniforms.openltc_elements.value = none.texture;
-
-/// What shadows.js adds to the shaders that send rays.
-export const tracer = {functions: ''};
 
 function setUniforms(elements, pictures) {
   sharedUniforms.openltc_elements.value = elements;
@@ -59,8 +82,17 @@ function makeFunctions(words) {
   const pictures = pictureNames.slice(0, picturesOf(forms));
   const elements = ['openltc_elements', ...pictures].map(name => `uniform highp sampler2D ${name};\n`).join('') +
       glsl.element('openltc_elements');
-  if (sends(task)) return tracer.functions + elements + rayFunctions(forms, pictures, task === exact);
-  if (task === ratio) return elements + ratioFunctions + functionsFor(forms, glsl, pictures, 'openltc_radiance(head)');
+  const sums = 'uniform highp sampler2D openltc_unshadowed, openltc_shadowed;\n';
+  const rays = coat => rayFunctions(forms, glsl, pictures, task === exact, coat);
+  if (sends(task))
+    return `${elements}${sums}uniform highp sampler2D openltc_branches;
+uniform uint openltc_frame;
+layout(location = 1) out highp vec4 openltc_shadowed_sum;
+${glsl.tree('openltc_branches')}#ifdef USE_CLEARCOAT
+${rays(true)}#else
+${rays(false)}#endif
+`;
+  if (task === ratio) return elements + sums + ratioFunctions(glsl) + functionsFor(forms, glsl, pictures, 'openltc_radiance(head)');
   return elements + functionsFor(forms, glsl, pictures);
 }
 
@@ -71,7 +103,7 @@ function functionsOf(words) {
 
 function statementsOf(words) {
   const [task] = words.split(' ');
-  return sends(task) ? rayStatements(task === exact) : (task === ratio ? '\nopenltc_ratio = openltc_ratio_here();' : '') + statements;
+  return sends(task) ? rayStatements : (task === ratio ? ratioStatements : '') + statements;
 }
 
 // Chains our change of the shader behind what the material has.

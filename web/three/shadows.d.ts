@@ -23,7 +23,7 @@ export interface AreaShadows {
 }
 
 /**
- * Lets lights of a scene whose castShadow is true have shadows, from the next picture of WebGLRenderer on; their area
+ * Lets lights of a scene whose castShadow is true have shadows, from the next picture on; its area
  * lights are enabled too. Each picture adds a ray to each pixel and light, until a camera, light or mesh moves. All
  * visible meshes cast shadows but children of lights. Needs three-mesh-bvh.
  */

@@ -5,59 +5,13 @@
 // one ray to each light with castShadow from each pixel, and adds what it finds to two sums, with and without what
 // stands between. The closed form is multiplied by their ratio (rays.js).
 
-import {BufferAttribute, BufferGeometry, Color, FloatType, Matrix4, NearestFilter, Vector2, Vector3,
-        WebGLRenderTarget} from 'three';
-import {BVHShaderGLSL, MeshBVH, MeshBVHUniformStruct} from 'three-mesh-bvh';
-import {enableAreaLights, sharedUniforms, tracer} from './scene.js';
+import {Color, FloatType, NearestFilter, Vector2, WebGLRenderTarget} from 'three';
+import {AreaShadows} from './area_shadows.js';
+import {enableAreaLights, sharedUniforms} from './scene.js';
 
-tracer.functions = [BVHShaderGLSL.common_functions, BVHShaderGLSL.bvh_struct_definitions, BVHShaderGLSL.bvh_ray_functions]
-    .join('\n');
-
-// Where in the world a mesh is drawn.
-function placesOf(mesh) {
-  if (!mesh.isInstancedMesh) return [mesh.matrixWorld];
-  return Array.from({length: mesh.count}, (_, k) => {
-    const place = new Matrix4();
-    mesh.getMatrixAt(k, place);
-    return place.premultiply(mesh.matrixWorld);
-  });
-}
-
-// All triangles of meshes, in the world.
-function mergedGeometry(meshes) {
-  const positions = [], corners = [], vertex = new Vector3();
-  for (const mesh of meshes)
-    for (const place of placesOf(mesh)) {
-      const {index, attributes: {position}} = mesh.geometry, first = positions.length / 3;
-      for (let i = 0; i < position.count; ++i)
-        positions.push(...mesh.getVertexPosition(i, vertex).applyMatrix4(place));
-      for (let i = 0; i < (index ?? position).count; ++i) corners.push(first + (index ? index.getX(i) : i));
-    }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
-  geometry.setIndex(corners);
-  return geometry;
-}
-
-const sameNumbers = (a, b) => a.length === b.length && a.every((x, i) => x === b[i]);
-
-class AreaShadows {
-  /// Pictures since the last change, and after how many no ray is sent any more.
-  frame = 0;
-  frames;
-
-  bvh = new MeshBVHUniformStruct();
-  meshes = [];
-  view = [];
+class WebGLAreaShadows extends AreaShadows {
   targets = [];
   warned = false;
-
-  constructor(lights, frames, exact) {
-    this.lights = lights;
-    this.frames = frames;
-    this.exact = exact;
-    lights.shadows = this;
-  }
 
   /// Textures of floats: of each pixel the light of its rays, of `frame` pictures together, without and with what
   /// stands between. With `exact` they are a reference: what the material reflects of lights with castShadow.
@@ -66,45 +20,9 @@ class AreaShadows {
     return {unshadowed, shadowed};
   }
 
-  /// Begins anew, for changes that are not seen by themselves: of materials, and of what vertices do.
-  reset() { this.frame = 0; }
-
-  /// Ends shadows; lights shine on without.
   dispose() {
-    this.lights.shadows = null;
+    super.dispose();
     this.targets.forEach(target => target.dispose());
-    this.bvh.dispose();
-  }
-
-  // What casts shadows: meshes that are seen, but for those that show a light, its children.
-  occluders() {
-    const found = [];
-    const visit = object => {
-      if (!object.visible || object.isAreaLight) return;
-      if (object.isMesh && object.geometry.attributes.position?.count > 0) found.push(object);
-      object.children.forEach(visit);
-    };
-    visit(this.lights.scene);
-    return found;
-  }
-
-  // Looks for changes of what is seen.
-  lookAt(camera, size) {
-    const meshes = this.occluders();
-    const state = meshes.flatMap(mesh => [mesh.id, mesh.geometry.id, mesh.geometry.attributes.position.version,
-                                          mesh.count ?? 1, mesh.instanceMatrix?.version ?? 0,
-                                          ...mesh.matrixWorld.elements]);
-    if (!sameNumbers(state, this.meshes)) {
-      this.meshes = state;
-      if (meshes.length) this.bvh.updateFrom(new MeshBVH(mergedGeometry(meshes)));
-      this.frame = 0;
-    }
-    const view = [size.x, size.y, this.exact ? 1 : 0, ...camera.matrixWorld.elements, ...camera.projectionMatrix.elements,
-                  ...this.lights.rows.data];
-    if (!sameNumbers(view, this.view)) {
-      this.view = view;
-      this.frame = 0;
-    }
   }
 
   reserve({x, y}) {
@@ -144,7 +62,7 @@ class AreaShadows {
       renderer.setRenderTarget(this.targets[from]);
       renderer.clear();
     }
-    sharedUniforms.openltc_bvh.value = this.bvh;
+    sharedUniforms.openltc_branches.value = this.tree.texture;
     sharedUniforms.openltc_frame.value = this.frame;
     [sharedUniforms.openltc_unshadowed.value, sharedUniforms.openltc_shadowed.value] = this.targets[from].textures;
     renderer.setRenderTarget(this.targets[to]);
@@ -163,5 +81,5 @@ class AreaShadows {
 /// any time: the sums are those of the material itself, noisier in smooth surfaces under tubes and in coats.
 export function enableAreaShadows(scene, {frames = 256, exact = false} = {}) {
   const lights = enableAreaLights(scene);
-  return lights.shadows ?? new AreaShadows(lights, frames, exact);
+  return lights.shadows ?? new WebGLAreaShadows(lights, frames, exact);
 }

@@ -48,4 +48,8 @@ Light shade_by_two_lobe_polynomial(const Case& at);
 Light shade_by_two_lobes(const Case& at, const Picture& coefficients, const Picture& amplitudes,
                          const Picture& second);
 
+/// By points of the light, by the file with polynomials and --sampling: the mean over side^2 evenly
+/// spaced pairs of numbers, the share by_lobe of them drawn from the surface's lobe.
+void shade_by_points(const Case& at, int side, float by_lobe, double out[3]);
+
 } // namespace metal_run

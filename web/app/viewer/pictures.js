@@ -4,12 +4,13 @@
 // The pictures of a scene: by our closed form, by three.js's own lights, by a reference that sends rays, and how far
 // the first two are from it.
 //
-// The reference is direct light: the sums of openltc-three/shadows with `exact`, points of the lights weighed by
-// three.js's material, and what else the scene shows, drawn without area lights.
+// The reference is direct light: the sums of openltc-three/webgpu/shadows with `exact`, points of the lights weighed by
+// the BRDF itself, and what else the scene shows, drawn without area lights.
 
-import {FloatType, HalfFloatType, NearestFilter, WebGLRenderTarget} from 'three';
+import {FloatType, HalfFloatType, NearestFilter, RenderTarget} from 'three';
 import {enableAreaLights} from 'openltc-three';
 import {Display} from './display.js';
+import {readPixels} from './graphics.js';
 
 const k_hidden = 31; // a layer that no camera sees
 
@@ -32,17 +33,24 @@ export class Pictures {
   #isFresh = false; // the pictures that stay while rays are added
 
   constructor(renderer, world) {
-    this.renderer = renderer;
     this.world = world;
-    this.screen = new Display(renderer);
+    this.setRenderer(renderer);
     this.area = enableAreaLights(world);
     this.shadows = null;
+  }
+
+  /// Another one, after the first has lost its device.
+  setRenderer(renderer) {
+    this.renderer = renderer;
+    this.screen = new Display(renderer);
+    this.#targets = {};
+    this.reset();
   }
 
   /// Fetches what a view needs. To be awaited before it is drawn.
   async prepare(view, castShadows) {
     if (view !== 'ltc' && view !== 'theirs' || (view === 'ltc' && castShadows)) {
-      const {enableAreaShadows} = await import('openltc-three/shadows');
+      const {enableAreaShadows} = await import('openltc-three/webgpu/shadows');
       this.shadows ??= enableAreaShadows(this.world);
     }
     if (view === 'theirs' || view === 'error_theirs') this.theirs ??= await import('./their_lights.js');
@@ -70,7 +78,7 @@ export class Pictures {
     const old = this.#targets[name];
     if (old?.width === width && old.height === height) return old;
     old?.dispose();
-    return this.#targets[name] = new WebGLRenderTarget(width, height, {
+    return this.#targets[name] = new RenderTarget(width, height, {
       type: FloatType, minFilter: NearestFilter, magFilter: NearestFilter, ...more});
   }
 
@@ -139,8 +147,7 @@ export class Pictures {
   async measure() {
     const {difference} = this.#targets;
     if (!this.view.startsWith('error') || !difference) return this.mean = null;
-    const {width, height} = difference, pixels = new Float32Array(4 * width * height);
-    await this.renderer.readRenderTargetPixelsAsync(difference, 0, 0, width, height, pixels);
+    const pixels = await readPixels(this.renderer, difference);
     let sum = 0, count = 0;
     for (let i = 0; i < pixels.length; i += 4)
       if (pixels[i + 1] > 0) {
@@ -150,24 +157,16 @@ export class Pictures {
     return this.mean = count ? sum / count : 0;
   }
 
-  /// Begins to compile what the view needs, all at once.
-  compile(camera) {
-    this.renderer.setRenderTarget(this.#picture(1, 1)); // programs differ by what they draw to
-    this.area.update(camera);
-    this.renderer.compile(this.world, camera);
-    this.renderer.setRenderTarget(null);
-  }
-
   /// The factor from nits that suits the picture by LTC that was drawn last, or null where nothing is lit: the
   /// geometric mean of what shows no light becomes a fourth of white, and no more than 1 in 50 of that white, if this
   /// takes no more than three stops.
-  measureExposure() {
-    const width = 96, height = 54, target = this.#target('small', width, height), pixels = new Float32Array(4 * width * height);
+  async measureExposure() {
+    const width = 96, height = 54, target = this.#target('small', width, height);
     const picture = this.#targets[this.isSmooth ? 'smooth' : 'picture'];
     this.renderer.setRenderTarget(target);
     this.screen.draw('fewer', 'none', 1, {picture: picture.texture, stepX: picture.width / width, stepY: picture.height / height});
-    this.renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
     this.renderer.setRenderTarget(null);
+    const pixels = await readPixels(this.renderer, target);
     const nits = this.lights.filter(light => light.type !== 'LineLight').map(light => light.intensity * Math.max(...light.color.toArray()));
     const lamp = Math.min(Infinity, ...nits.filter(x => x > 0)) / 2, lit = [];
     for (let i = 0; i < pixels.length; i += 4) {

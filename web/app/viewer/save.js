@@ -4,7 +4,7 @@
 // The scene as a file.
 
 import {GLTFExporter} from 'three/addons/exporters/GLTFExporter.js';
-import * as textureUtils from 'three/addons/utils/WebGLTextureUtils.js';
+import * as textureUtils from 'three/addons/utils/WebGPUTextureUtils.js';
 import {GLTFAreaLightsExport} from 'openltc-three';
 
 /// A .glb of `world`, with its lights and a camera first, as an ArrayBuffer.

@@ -3,10 +3,11 @@
 //
 // The canvas: camera, handles of lights, and when what is drawn.
 
-import {Box3, Color, PerspectiveCamera, Scene, Spherical, Vector2, Vector3, WebGLRenderer} from 'three';
+import {Box3, Color, PerspectiveCamera, Scene, Spherical, Vector2, Vector3} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {TransformControls} from 'three/addons/controls/TransformControls.js';
 import {AreaLightHelper} from 'openltc-three';
+import {finish, makeRenderer, nameOf} from './graphics.js';
 import {Pictures} from './pictures.js';
 import {kinds, resize} from './light_kinds.js';
 
@@ -14,9 +15,9 @@ const k_slow = 90; // ms of a picture, from which a moving one gets fewer pixels
 const k_still = 300; // ms without a change until it gets all of them
 const k_near = 24; // pixels from a light's middle that choose it
 const k_turn = 5 * Math.PI / 180; // of an arrow key
-const k_selected = new Color(0x3d9be9);
+const k_selected = new Color(0x3d9be9).convertLinearToSRGB(); // the canvas is given what it shows
+const k_pause = 1000; // ms until a device that was lost is asked for anew
 
-/// Fails where there is no WebGL 2.
 export class Stage extends EventTarget {
   world = new Scene();
   overlay = new Scene();
@@ -35,22 +36,67 @@ export class Stage extends EventTarget {
   #measured = 0;
   #isStill = false;
 
-  constructor(canvas) {
-    super();
-    this.canvas = canvas;
-    const context = canvas.getContext('webgl2', {antialias: false, alpha: false, powerPreference: 'high-performance'});
-    if (!context) throw new Error('This page needs WebGL 2, which this browser does not have or has turned off.');
-    if (!context.getExtension('EXT_color_buffer_float'))
-      throw new Error('This page needs textures of floats (EXT_color_buffer_float), which this graphics driver does not have.');
-    this.renderer = new WebGLRenderer({canvas, context});
-    this.renderer.debug.onShaderError = (gl, program, vertex, fragment) =>
-        this.#tell('broken', `A shader was refused: ${(gl.getShaderInfoLog(fragment) || gl.getProgramInfoLog(program) || '').slice(0, 300)}`);
-    this.pictures = new Pictures(this.renderer, this.world);
-    this.#makeControls();
-    new ResizeObserver(() => this.invalidate()).observe(canvas);
+  #forceWebGL = false;
+  #isLost = false;
+  #isDrawing = false;
+  #resizes = new ResizeObserver(() => this.invalidate());
+
+  /// Fails where there is neither WebGPU nor WebGL 2.
+  static async make(canvas, forceWebGL = false) {
+    const stage = new Stage();
+    stage.#forceWebGL = forceWebGL;
+    stage.#setCanvas(canvas, await makeRenderer(canvas, forceWebGL));
+    return stage;
   }
 
   #tell(type, detail) { this.dispatchEvent(new CustomEvent(type, {detail})); }
+
+  /// "WebGPU" or "WebGL 2".
+  get graphics() { return nameOf(this.renderer); }
+
+  #setCanvas(canvas, renderer) {
+    this.canvas = canvas;
+    this.renderer = renderer;
+    renderer.onDeviceLost = () => this.#restart();
+    renderer.debug.onShaderError = (gl, program, vertex, fragment) =>
+        this.#tell('broken', `A shader was refused: ${(gl.getShaderInfoLog(fragment) || gl.getProgramInfoLog(program) || '').slice(0, 300)}`);
+    if (this.pictures) {
+      this.pictures.setRenderer(renderer);
+      this.orbit.disconnect();
+      this.gizmo.disconnect();
+      this.orbit.connect(canvas);
+      this.gizmo.connect(canvas);
+      this.orbit.domElement = this.gizmo.domElement = canvas;
+    } else {
+      this.pictures = new Pictures(renderer, this.world);
+      this.#makeControls();
+    }
+    this.#listen(canvas);
+    this.#resizes.observe(canvas);
+  }
+
+  // Another device, which wants another canvas.
+  async #restart() {
+    if (this.#isLost) return;
+    this.#isLost = true;
+    this.#tell('lost');
+    for (;;) {
+      await new Promise(done => setTimeout(done, k_pause));
+      const old = this.canvas, canvas = old.cloneNode(false);
+      try {
+        const renderer = await makeRenderer(canvas, this.#forceWebGL);
+        this.#resizes.unobserve(old);
+        old.replaceWith(canvas);
+        this.#setCanvas(canvas, renderer);
+        break;
+      } catch {
+        // Not yet.
+      }
+    }
+    this.#isLost = false;
+    this.#tell('restored');
+    this.invalidate();
+  }
 
   #makeControls() {
     const {canvas, camera} = this;
@@ -76,6 +122,9 @@ export class Stage extends EventTarget {
       this.#tell('moved');
       this.invalidate();
     });
+  }
+
+  #listen(canvas) {
     let down = null;
     canvas.addEventListener('pointerdown', event => down = [event.clientX, event.clientY]);
     canvas.addEventListener('pointerup', event => {
@@ -83,15 +132,6 @@ export class Stage extends EventTarget {
       down = null;
     });
     canvas.addEventListener('keydown', event => this.#onKey(event));
-    canvas.addEventListener('webglcontextlost', event => {
-      event.preventDefault(); // so that it comes back
-      this.#tell('lost');
-    });
-    canvas.addEventListener('webglcontextrestored', () => {
-      this.pictures.reset();
-      this.invalidate();
-      this.#tell('restored');
-    });
   }
 
   // The light whose middle is near a place of the page.
@@ -122,6 +162,7 @@ export class Stage extends EventTarget {
   /// Shows a scene: its root, its camera, or null, and our lights in `world`.
   setScene(content, camera, bounds) {
     this.content = content;
+    this.#isStill = false;
     this.world.add(content);
     const size = bounds.isEmpty() ? 1 : bounds.getSize(new Vector3()).length() || 1, middle = bounds.isEmpty() ? new Vector3() : bounds.getCenter(new Vector3());
     if (camera?.isPerspectiveCamera) {
@@ -213,19 +254,33 @@ export class Stage extends EventTarget {
     this.#wanted = true;
     requestAnimationFrame(() => {
       this.#wanted = false;
-      if (this.content && !this.renderer.getContext().isContextLost()) this.#draw();
+      if (this.content && !this.#isLost) this.#draw();
     });
   }
 
-  #draw() {
-    const begin = performance.now(), {renderer, camera} = this;
+  // One picture after the other.
+  async #draw() {
+    if (this.#isDrawing) return setTimeout(() => this.#request());
+    this.#isDrawing = true;
+    try {
+      await this.#drawNow();
+    } catch (error) {
+      if (!this.#isLost) throw error;
+    } finally {
+      this.#isDrawing = false;
+    }
+  }
+
+  async #drawNow() {
+    const begin = performance.now(), {renderer, camera, content} = this;
     this.#fit(this.#moving ? this.#share : 1);
     this.pictures.isSmooth = !this.#moving;
     this.pictures.draw(camera, this.size.x, this.size.y);
     this.#drawOverlay();
-    renderer.getContext().finish();
+    const isStill = !this.#moving;
+    await finish(renderer);
     const took = performance.now() - begin;
-    this.#isStill = !this.#moving;
+    this.#isStill = isStill && !this.#moving && content === this.content;
     if (this.#moving && took > k_slow && this.#share > 0.3) this.#share = Math.max(this.#share * Math.sqrt(k_slow / took), 0.25);
     else if (this.#moving && took < k_slow / 4) this.#share = Math.min(this.#share * 1.2, 1);
     if (!this.pictures.isDone) setTimeout(() => this.#request(), took > k_slow ? took / 3 : 0); // the page breathes
@@ -258,7 +313,7 @@ export class Stage extends EventTarget {
   }
 
   /// A factor from nits that suits the scene, or null where nothing is lit.
-  measureExposure() {
+  async measureExposure() {
     const {pictures} = this, {view, castShadows} = pictures;
     this.#fit(this.#share);
     Object.assign(pictures, {view: 'ltc', castShadows: false, isSmooth: false});

@@ -3,10 +3,17 @@
 //
 // three.js's own area lights in place of ours, as far as it has any.
 
-import {Matrix4, RectAreaLight} from 'three';
-import {RectAreaLightUniformsLib} from 'three/addons/lights/RectAreaLightUniformsLib.js';
+import {DataTexture, HalfFloatType, LinearFilter, Matrix4, RectAreaLight, RectAreaLightNode, RGBAFormat} from 'three';
 
-RectAreaLightUniformsLib.init();
+// three.js's tables, as build_viewer.mjs has packed them: text of RectAreaLightTexturesLib is twice as long.
+const halves = new Uint16Array(await (await fetch(new URL('viewer/their_tables.bin', document.baseURI))).arrayBuffer());
+const tables = [0, 1].map(k => {
+  const texture = new DataTexture(halves.subarray(k * halves.length / 2, (k + 1) * halves.length / 2), 64, 64, RGBAFormat, HalfFloatType);
+  texture.minFilter = texture.magFilter = LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+});
+RectAreaLightNode.setLTC({LTC_FLOAT_1: tables[0], LTC_FLOAT_2: tables[1], LTC_HALF_1: tables[0], LTC_HALF_2: tables[1]});
 
 const turned = new Matrix4().makeRotationY(Math.PI);
 

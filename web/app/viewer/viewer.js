@@ -88,7 +88,6 @@ function show(gltf, title, keepsPlace) {
   for (const light of lights) stage.addLight(light);
   choose(null);
   $('list').dataset.scene = name;
-  stage.pictures.compile(stage.camera);
   if (place) stage.invalidate();
   else setExposure(isStudio ? ev100Of(1) : undefined);
   say(`${name}: ${lights.length} area light${lights.length === 1 ? '' : 's'}${others ? `, ${others} other${others === 1 ? '' : 's'}` : ''}`);
@@ -181,8 +180,9 @@ function deleteLight() {
 
 // ---- the picture
 
-function setExposure(ev100) {
-  const measured = ev100 === undefined ? stage.measureExposure() : null;
+async function setExposure(ev100) {
+  const {content} = stage, measured = ev100 === undefined ? await stage.measureExposure() : null;
+  if (stage.content !== content) return; // another scene has come
   const value = ev100 ?? (measured ? ev100Of(measured) : ev100Of(1));
   $('exposure').value = value.toFixed(1);
   stage.pictures.exposure = exposureOf(Number($('exposure').value));
@@ -307,7 +307,7 @@ function listen() {
   stage.addEventListener('drawn', onDrawn);
   stage.addEventListener('measured', onMeasured);
   stage.addEventListener('broken', ({detail}) => complain(detail));
-  stage.addEventListener('lost', () => complain('The graphics device was lost; the picture comes back with it, all else works.'));
+  stage.addEventListener('lost', () => complain('The graphics device was lost; another one is asked for, all else works.'));
   stage.addEventListener('restored', () => complain(''));
 }
 
@@ -329,7 +329,9 @@ async function begin() {
   const early = url ? fetch(url) : undefined; // comes while the graphics start
   early?.catch(() => {});
   try {
-    stage = new Stage($('canvas'));
+    stage = await Stage.make($('canvas'), new URLSearchParams(location.search).get('graphics') === 'webgl');
+    document.documentElement.dataset.graphics = stage.graphics;
+    $('graphics').textContent = `Drawn by ${stage.graphics}.`;
   } catch (error) {
     say('No picture');
     complain(`${error.message} The laboratory works without, but for its picture.`);
