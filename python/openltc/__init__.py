@@ -13,6 +13,21 @@ surface, colours linear Rec.709, radiance in nits (cd/m2).
 
 import importlib
 
+TYPE_CHECKING = False  # but for editors and type checkers, which see here what is loaded when it is asked for
+if TYPE_CHECKING:
+    from . import cluster, lights, plot
+    from ._brdf import Brdf
+    from ._fit import Fit, Report, brdfs, engines, fit, layouts
+    from ._lobes import Lobes
+    from ._material import Material
+    from ._openltc import Camera, Error
+    from ._picture import Comparison, Picture, compare, read
+    from ._scene import Scene
+    from ._shade import eval, pdf, sample, shade, shade_parts
+    from .lights import Directional, Disk, Ellipse, Line, Point, Polygon, Rectangle, Sphere, Spot, Tube
+
+    __version__: str
+
 _places = {
     "fit": "_fit",
     "Fit": "_fit",
@@ -51,7 +66,7 @@ _lower = ("Error", "Camera", "__version__")
 __all__ = [*_places, *_modules, *_lower]
 
 
-def __getattr__(name):
+def _load(name):
     """Loads what is asked for when it is: `import openltc` alone takes a few milliseconds."""
     if name in _places:
         value = getattr(importlib.import_module(f"{__name__}.{_places[name]}"), name)
@@ -63,6 +78,10 @@ def __getattr__(name):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     globals()[name] = value
     return value
+
+
+if not TYPE_CHECKING:
+    __getattr__ = _load
 
 
 def __dir__():

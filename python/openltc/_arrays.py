@@ -15,9 +15,9 @@ def as_numpy(array, name):
         try:
             result = np.from_dlpack(array)
         except (BufferError, RuntimeError, TypeError, ValueError) as error:
-            where = getattr(array, "device", "another device")
-            raise TypeError(f"{name}: an array on {where} cannot be read ({error}); "
-                            "move it to the CPU first") from None
+            where = str(getattr(array, "device", "another device"))
+            remedy = "give float32 or float64" if "cpu" in where.lower() else "move it to the CPU first"
+            raise TypeError(f"{name}: an array on {where} cannot be read ({error}); {remedy}") from None
     else:
         try:
             result = np.asarray(array)
@@ -36,7 +36,8 @@ def as_vectors(array, name, dtype=np.float32):
     result = as_numpy(array, name)
     if result.ndim == 0 or result.shape[-1] != 3:
         raise ValueError(f"{name}: the shape is {result.shape}; (..., 3) is wanted")
-    result = result.astype(dtype, copy=False)
+    with np.errstate(over="ignore"):  # too far away is as good as infinitely far
+        result = result.astype(dtype, copy=False)
     shape = result.shape[:-1]
     rows = result.reshape(-1, 3)
     item = rows.itemsize

@@ -12,6 +12,7 @@ from typing import Any, Callable
 import numpy as np
 
 from . import _openltc
+from ._arguments import path as path_of, text, whole
 from ._progress import reporter
 
 
@@ -127,14 +128,21 @@ def fit(brdf: str | os.PathLike[str] | Callable[..., Any] = "ggx", size: int | N
     if callable(brdf):
         given = _over_arrays(brdf, arrays)
         name = name or getattr(brdf, "__name__", type(brdf).__name__)
-    else:
-        given = os.fspath(brdf)
+    elif isinstance(brdf, (str, bytes, os.PathLike)):
+        given = path_of(brdf, "brdf")
         name = name or given
+    else:
+        raise TypeError(f"brdf: a name, the path of a file, or a function is wanted, not {type(brdf).__name__}")
+    size = None if size is None else whole(size, "size")
+    words = dict(name=name, objective=objective, form=form, layout=layout, precision=precision, refine=refine)
+    for word, value in words.items():
+        text(value, word)
+    if engine is not None:
+        text(engine, "engine")
     with reporter(progress, f"fitting {name}") as report:
-        return Fit(_openltc.fit(given, name=name, narrow=narrow, has_roughness=has_roughness, size=size,
-                                objective=objective, form=form, degree=degree, layout=layout,
-                                engine=engine, precision=precision, refine=refine,
-                                clip_aware=clip_aware, progress=report))
+        return Fit(_openltc.fit(given, narrow=bool(narrow), has_roughness=bool(has_roughness), size=size,
+                                degree=whole(degree, "degree"), engine=engine, clip_aware=bool(clip_aware),
+                                progress=report, **words))
 
 
 class Fit:
@@ -178,7 +186,7 @@ class Fit:
         """Writes the lobes; the container by extension, as `openltc fit -o`: .json .dds .ktx2 .exr
         .npy .h .glsl .hlsl .wgsl .js. Of engine= `path` is a folder. Returns the paths that were
         written: all of them, or none where something fails."""
-        return self._lower.save(os.fspath(path), None)
+        return self._lower.save(path_of(path), None)
 
     def to_texture(self, engine: str | None = None, layout: str = "native", precision: str = "float32",
                    size: int | None = None) -> list[np.ndarray]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import _openltc
-from ._arrays import as_numbers, as_vectors
+from ._arrays import as_numbers, as_numpy, as_vectors
 from ._fit import Fit
 
 _built_in = ("table", "polynomial", "two-lobe")
@@ -57,7 +57,11 @@ class Lobes:
 
     def sample(self, roughness, cos_theta, u):
         """Directions (..., 3) drawn from the lobe by random numbers u (..., 2) in [0, 1)."""
-        u = np.asarray(u, float)
+        u = as_numpy(u, "u").astype(float)
+        if u.ndim < 1 or u.shape[-1] != 2:
+            raise ValueError(f"u: the shape is {u.shape}; (..., 2) is wanted")
+        if not ((u >= 0) & (u < 1)).all():
+            raise _openltc.Error("u: numbers within [0, 1) are wanted")
         shape = u.shape[:-1]
         roughness, cos_theta = (np.broadcast_to(np.asarray(v, float), shape) for v in (roughness, cos_theta))
         _, first, second, rest = self._at(roughness, cos_theta)
@@ -76,4 +80,5 @@ def _density(m, wi):
     """D(wi) = D_cosine(M⁻¹ wi / |M⁻¹ wi|) det M⁻¹ / |M⁻¹ wi|³ (Heitz and others 2016, equation 2)."""
     o = np.einsum("nij,nj->ni", m, wi)
     length = np.linalg.norm(o, axis=-1)
-    return np.maximum(o[:, 2], 0) / np.pi * np.linalg.det(m) / length**4
+    above = o[:, 2] > 0  # nor where a direction is not finite
+    return np.divide(o[:, 2] * np.linalg.det(m), np.pi * length**4, out=np.zeros(len(o)), where=above)

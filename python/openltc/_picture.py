@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import _openltc
+from ._arguments import path as path_of, real, text
 from ._arrays import as_numpy
 
 
@@ -41,9 +42,11 @@ class Picture(np.ndarray):
     def save(self, path: str | os.PathLike[str], *, ev100: float | None = None, half: bool = False) -> None:
         """Writes .exr and .hdr, scene-linear, with `stderr`; or .png, exposed by `ev100`, or to suit the
         picture, and tone-mapped. half: 16-bit floats."""
+        path = path_of(path)
         if os.path.splitext(path)[1].lower() not in (".exr", ".hdr", ".png"):
-            raise _openltc.Error(f"{os.fspath(path)}: a picture is written as .exr, .hdr or .png")
-        _openltc.write_picture(os.fspath(path), _plain(self), self.layers.get("stderr"), ev100, half)
+            raise _openltc.Error(f"{path}: a picture is written as .exr, .hdr or .png")
+        ev100 = None if ev100 is None else real(ev100, "ev100")
+        _openltc.write_picture(path, _plain(self), self.layers.get("stderr"), ev100, half)
 
     def _repr_png_(self):
         if self.ndim != 3 or self.shape[2] != 3 or self.size == 0:
@@ -72,7 +75,7 @@ def _plain(array):
 def read(path: str | os.PathLike[str], layer: str = "") -> np.ndarray:
     """Reads .exr, .hdr, scene-linear, or .png, .jpg, .webp, decoded from sRGB to linear light; `layer` of
     an .exr. (height, width, channels) float32."""
-    return _openltc.read_picture(os.fspath(path), layer)
+    return _openltc.read_picture(path_of(path), text(layer, "layer"))
 
 
 def compare(a, b, *, scene_linear: bool | None = None, ev100: float | None = None, flip: bool = True) -> Comparison:
@@ -89,8 +92,9 @@ def compare(a, b, *, scene_linear: bool | None = None, ev100: float | None = Non
         display = (".png", ".jpg", ".jpeg", ".webp")
         scene_linear = not any(isinstance(p, (str, os.PathLike)) and os.fspath(p).lower().endswith(display)
                                for p in (a, b))
+    ev100 = None if ev100 is None else real(ev100, "ev100")
     test, reference = (read(p) if isinstance(p, (str, os.PathLike)) else p for p in (a, b))
-    figures, flip_map = _openltc.compare(_plain(test)[..., :3], _plain(reference)[..., :3], scene_linear, ev100, flip)
+    figures, flip_map = _openltc.compare(_plain(test)[..., :3], _plain(reference)[..., :3], bool(scene_linear), ev100, bool(flip))
     result = Comparison(figures)
     result.flip_map = None if flip_map is None else flip_map[..., 0]
     return result

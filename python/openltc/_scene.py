@@ -5,10 +5,12 @@
 from __future__ import annotations
 
 import math
+import operator
 import os
 from typing import Any
 
 from . import _openltc, lights as _lights
+from ._arguments import path as path_of, real, text, whole
 from ._picture import Picture
 from ._progress import reporter
 
@@ -41,8 +43,9 @@ class Scene:
         """Reads a .glb or .gltf and what it refers to in its own folder (allow_outside: elsewhere as
         well). An animated file is posed at time_seconds of `animation`, a name or number. With
         recognise_shapes emissive meshes that are spheres, disks and cylinders become such lights."""
-        return cls(_openltc.load_scene(os.fspath(path), time_seconds, animation, recognise_shapes,
-                                       allow_outside))
+        time_seconds = None if time_seconds is None else real(time_seconds, "time_seconds")
+        return cls(_openltc.load_scene(path_of(path), time_seconds, str(animation), bool(recognise_shapes),
+                                       bool(allow_outside)))
 
     def scale_lights(self, factor: float) -> None:
         """Multiplies the light of all lights, whatever their unit."""
@@ -59,7 +62,7 @@ class Scene:
         return self._lower.warnings
 
     @property
-    def bounds(self):
+    def bounds(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Two corners, each (x, y, z) in metres."""
         return self._lower.bounds
 
@@ -73,10 +76,10 @@ class Scene:
         """Name and duration in seconds of each."""
         return self._lower.animations
 
-    def camera(self, which: str = "", aspect: float = 16 / 9):
+    def camera(self, which: str = "", aspect: float = 16 / 9) -> _openltc.Camera:
         """The camera that `render` would take: of that name or number; "auto" frames the subject; ""
         is the file's first, or the framed one."""
-        return self._lower.choose_camera(which, aspect)
+        return self._lower.choose_camera(_camera_named(which), real(aspect, "aspect"))
 
     def render(self, width: int = 1280, height: int = 720, *, integrator: str = "ltc",
                samples: int | None = None, shadow_samples: int = 16, camera: Any = "",
@@ -108,15 +111,34 @@ class Scene:
             background_nits = _lights._color(background_nits, "background_nits")
             if not all(math.isfinite(v) and v >= 0 for v in background_nits):
                 raise ValueError("background_nits: finite numbers of 0 or more are wanted")
-        options = dict(width=width, height=height, integrator=integrator,
-                       samples=samples if samples is not None else 256 if reference else 8,
-                       shadow_samples=shadow_samples, camera=str(camera) if isinstance(camera, int) else camera,
-                       lights=lights, lobes=lobes, specular=specular, filter=filter, light_error=light_error,
-                       background_nits=background_nits, seed=seed, threads=threads,
-                       window=window)
+        if window is not None:
+            try:
+                window = tuple(whole(v, "window") for v in window)
+            except TypeError:
+                window = ()
+            if len(window) != 4:
+                raise ValueError("window: four whole numbers are wanted, (x0, y0, x1, y1)")
+        words = dict(integrator=integrator, lights=lights, lobes=lobes, specular=specular, filter=filter)
+        options = dict(width=whole(width, "width"), height=whole(height, "height"),
+                       samples=whole(samples, "samples") if samples is not None else 256 if reference else 8,
+                       shadow_samples=whole(shadow_samples, "shadow_samples"),
+                       camera=camera if isinstance(camera, _openltc.Camera) else _camera_named(camera),
+                       light_error=real(light_error, "light_error"), background_nits=background_nits,
+                       seed=whole(seed, "seed", 0, 2**32 - 1), threads=whole(threads, "threads", 0), window=window,
+                       **{name: text(word, name) for name, word in words.items()})
         with reporter(progress, "rendering") as report:
             made = self._lower.render([_of_scene(light) for light in self.lights], self.materials, options, report)
         return Picture(made.pop("radiance"), made)
+
+
+def _camera_named(which):
+    """The library's name of a camera: what frames the subject is `auto` here and `frame` in the tool."""
+    if isinstance(which, str):
+        return "frame" if which == "auto" else which
+    try:
+        return str(operator.index(which))
+    except TypeError:
+        raise TypeError(f"camera={which!r}: a name, a number or an openltc.Camera is wanted") from None
 
 
 def _of_scene(light):

@@ -9,6 +9,7 @@ import math
 import numpy as np
 
 from . import _openltc
+from ._arguments import whole
 from ._arrays import as_numpy, as_vectors
 from ._lobes import Lobes
 from ._material import Material, rows
@@ -16,6 +17,11 @@ from .lights import light_list
 
 # Points that are worked on between two looks at Ctrl-C: what is copied at a time, too.
 _part = 1 << 20
+
+
+def _part_of(pairs, lights):
+    """Points of so many pairs of a point and a light, which take a fraction of a second."""
+    return max(min(_part, pairs // max(len(lights), 1)), 1 << 12)
 
 
 class _Points:
@@ -30,7 +36,7 @@ class _Points:
         for name, array in given.items():
             if array.ndim == 0 or array.shape[-1] != 3:
                 raise ValueError(f"{name}: the shape is {array.shape}; (..., 3) is wanted")
-        self.shape = max((a.shape[:-1] for a in given.values()), key=lambda s: (math.prod(s), len(s)))
+        self.shape = max((a.shape[:-1] for a in given.values()), key=lambda s: (len(s) > 0, math.prod(s), len(s)))
         self.count = math.prod(self.shape)
         for name, array in given.items():
             if array.shape[:-1] not in (self.shape, ()):
@@ -48,10 +54,15 @@ class _Points:
             raise TypeError(f"material: openltc.Material is wanted, not {type(material).__name__}")
         self._columns = material._columns(self.shape)
 
-    def parts(self):
+    def share_memory_with(self, out):
+        """Whether writing there may change a point that is still to be read."""
+        arrays = [*self._vectors.values(), *self._columns, *([] if self._errors is None else [self._errors])]
+        return any(np.may_share_memory(array, out) for array in arrays)
+
+    def parts(self, size=_part):
         """(begin, end, points) one after the other."""
-        for begin in range(0, self.count, _part):
-            end = min(begin + _part, self.count)
+        for begin in range(0, self.count, size):
+            end = min(begin + size, self.count)
             cut = {name: as_vectors(array if len(array) == 1 else array[begin:end], name)[0]
                    for name, array in self._vectors.items()}
             errors = self._errors
@@ -74,6 +85,8 @@ def _output(points, out):
     if not isinstance(out, np.ndarray) or out.shape != wanted or out.dtype != np.float32 \
             or not out.flags.c_contiguous or not out.flags.writeable:
         raise ValueError(f"out: a writeable float32 array of shape {wanted}, in C order, is wanted")
+    if points.share_memory_with(out):
+        raise ValueError("out: it lies in the memory of another argument; give an array of its own")
     return out.reshape(-1, 3)
 
 
@@ -103,7 +116,8 @@ def shade(positions, normals, views, material=None, lights=(), *, lobes="table",
     """
     points = _Points(positions, normals, views, material, geometric_normals, position_errors)
     listed, lower, radiance = light_list(lights), _lobes_of(lobes), _output(points, out)
-    for begin, end, part in points.parts():
+    threads = whole(threads, "threads", 0)
+    for begin, end, part in points.parts(_part_of(1 << 22, listed)):
         _openltc.shade(lower, listed, part, threads, radiance[begin:end])
     return radiance.reshape(*points.shape, 3) if out is None else out
 
@@ -115,7 +129,8 @@ def shade_parts(positions, normals, views, material=None, lights=(), *, lobes="t
     points = _Points(positions, normals, views, material, geometric_normals, position_errors)
     listed, lower = light_list(lights), _lobes_of(lobes)
     diffuse, specular = _output(points, None), _output(points, None)
-    for begin, end, part in points.parts():
+    threads = whole(threads, "threads", 0)
+    for begin, end, part in points.parts(_part_of(1 << 18, listed)):
         _openltc.shade_parts(lower, listed, part, threads, diffuse[begin:end], specular[begin:end])
     return diffuse.reshape(*points.shape, 3), specular.reshape(*points.shape, 3)
 

@@ -51,13 +51,30 @@ def missing_frames(arguments, frames, folder):
     return numbers(done.stdout.strip())
 
 
+def path_of_frame(output, frame):
+    """A frame's file: its number in place of the last ####."""
+    folder, name = os.path.split(output)
+    head, _, tail = name.rpartition("#")
+    start = head.rstrip("#")
+    return os.path.join(folder, f"{start}{frame:0{len(head) - len(start) + 1}}{tail}")
+
+
+def _are_here(arguments, frames, folder):
+    """Whether all files of these frames can be seen: False also where the arguments do not say plainly which."""
+    outputs = [value for option, value in zip(arguments, arguments[1:]) if option in ("-o", "--output")]
+    plain = outputs and sum(a.startswith(("-o", "--o")) for a in arguments) == len(outputs)
+    return plain and all(os.path.exists(os.path.join(folder, path_of_frame(output, n)))
+                         for output in outputs for n in frames)
+
+
 def render_missing(arguments, frames, folder, client, progress):
     """Has those of the frames made that are missing, and returns which that were. Raises Unfinished."""
     missing = missing_frames(arguments, frames, folder)
     if missing:
         run({n: n for n in missing}, render_frame, {"arguments": arguments, "folder": folder}, client, progress,
             f"rendering {len(missing)} frames", "frame")
-        unseen = missing_frames(arguments, ranges(missing), folder)
+        # The tool reads the scene to say what is missing: it is asked where that is not plain.
+        unseen = () if _are_here(arguments, missing, folder) else missing_frames(arguments, ranges(missing), folder)
         if unseen:
             raise Unfinished(f"{len(unseen)} frames were made, but are not to be seen in {folder}: the workers must see "
                              "the same folders", {n: _openltc.Error("not to be seen here") for n in unseen}, missing)

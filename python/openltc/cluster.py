@@ -73,7 +73,7 @@ def render_sequence(scene: str | os.PathLike[str], frames: str | Iterable[int], 
                   "options": options}
         _many.run({n: n for n in wanted}, _posed_frame, common, client, progress, f"rendering {len(wanted)} frames",
                   "frame")
-    return [_path_of_frame(output, n) for n in wanted]
+    return [_tool.path_of_frame(output, n) for n in wanted]
 
 
 def _arguments(scene, output, fps, animation, options):
@@ -104,13 +104,6 @@ def _arguments(scene, output, fps, animation, options):
     return arguments
 
 
-def _path_of_frame(output, frame):
-    folder, name = os.path.split(output)
-    head, _, tail = name.rpartition("#")
-    start = head.rstrip("#")
-    return os.path.join(folder, f"{start}{frame:0{len(head) - len(start) + 1}}{tail}")
-
-
 def _posed_frame(frame, *, scene, output, fps, animation, pose, options, threads):
     """One frame of a scene that a function poses."""
     loaded = Scene.load(scene, time_seconds=frame / fps, animation=animation)
@@ -118,7 +111,7 @@ def _posed_frame(frame, *, scene, output, fps, animation, pose, options, threads
     inputs = _made.fingerprint(
         _openltc.__version__, _made.digest_of_files(loaded._lower.files, os.path.dirname(scene)), frame / fps, animation,
         loaded.lights, loaded.cameras, loaded.materials, _of_picture(options))
-    path = _path_of_frame(output, frame)
+    path = _tool.path_of_frame(output, frame)
     if _made.look_up(path, inputs) is None:
         saving = {name: options.pop(name) for name in ("ev100", "half") if name in options}
         loaded.render(**{"threads": threads, **options}).save(path, **saving)

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from typing import Sequence, Union
 
 from . import _openltc
+from ._arguments import real
 
 Vector = Sequence[float]
 Color = Union[float, Sequence[float]]
@@ -25,8 +26,8 @@ Color = Union[float, Sequence[float]]
 def _vector(value, name):
     try:
         numbers = tuple(float(v) for v in value)
-    except TypeError:
-        raise TypeError(f"{name}: three numbers are wanted") from None
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: three numbers are wanted, not {value!r}") from None
     if len(numbers) != 3:
         raise ValueError(f"{name}: three numbers are wanted, not {len(numbers)}")
     return numbers
@@ -35,7 +36,7 @@ def _vector(value, name):
 def _color(value, name):
     if hasattr(value, "__len__"):
         return _vector(value, name)
-    return (float(value),) * 3
+    return (real(value, name),) * 3
 
 
 def _cross(a, b):
@@ -257,6 +258,8 @@ class Spot:
     range_metres: float = 0.0
 
     def _add(self, to):
+        if not 0 <= self.inner_angle_degrees <= self.outer_angle_degrees <= 90:
+            raise ValueError("not 0 <= inner_angle_degrees <= outer_angle_degrees <= 90")
         to.spot(_vector(self.position, "position"), _vector(self.direction, "direction"),
                 _color(self.intensity_candela, "intensity_candela"), self.range_metres,
                 math.radians(self.inner_angle_degrees), math.radians(self.outer_angle_degrees))
@@ -290,12 +293,14 @@ def light_list(lights):
     """One light or several, as the library has them; errors say which."""
     if hasattr(lights, "_add"):
         lights = [lights]
+    if not hasattr(lights, "__iter__"):
+        raise TypeError(f"lights: one or several lights of openltc.lights are wanted, not {type(lights).__name__}")
     result = _openltc.LightList()
     for i, light in enumerate(lights):
         if not hasattr(light, "_add"):
             raise TypeError(f"lights[{i}]: a light of openltc.lights is wanted, not {type(light).__name__}")
         try:
             light._add(result)
-        except ValueError as error:
+        except (TypeError, ValueError) as error:
             raise type(error)(f"lights[{i}], {type(light).__name__}: {error}") from None
     return result

@@ -113,37 +113,43 @@ Fitted fit_any(nb::object brdf, const std::string& name, bool narrow, bool has_r
     fitted.request.command = cli::fit_command_of(path, fitted.request, fitted.engine);
   } else {
     fitted.function = std::make_shared<Callable>(std::move(brdf));
-    fitted.brdf = brdf_of(fitted.function, name,
+    fitted.brdf = brdf_of(fitted.function, nullptr, name,
                           narrow ? brdf::LobeWidth::alpha : brdf::LobeWidth::one, has_roughness);
   }
   Job job(std::move(progress));
-  const Callable::InJob in_job(fitted.function, job);
-  job.run(
-      [&] { fitted.lobes = take(fit::fit_lobes(fitted.brdf, fitted.request, job.progress())); });
+  const brdf::Brdf own = fitted.brdf_in(job);
+  job.run([&] { fitted.lobes = take(fit::fit_lobes(own, fitted.request, job.progress())); });
   return fitted;
 }
 
-/// The error of the lobes; with lights and worst cells where `whole`.
+/// The error of the lobes; with lights and worst cells where `whole`. Another thread may be doing
+/// the same: who is first states it, once, and writers read it without the interpreter's lock.
 void measure(Fitted& fitted, bool whole, nb::object progress) {
   std::optional<fit::Report>& report = whole ? fitted.report : fitted.errors;
   if (report) return;
+  std::vector<fit::Candidate> candidates = {fit::candidate_of(fitted.lobes, fitted.request)};
+  fit::ReportOptions options;
+  options.title = fmt::format("{}: error of fitted lobes", fitted.brdf.name);
+  options.command = fitted.request.command;
+  options.tool_version = OPENLTC_VERSION;
+  if (!whole) {
+    options.worst_cells = 0;
+    candidates.front().nodes = {};
+  }
+  // Of a function of the caller's, one light takes hundreds of calls.
+  if (!whole || fitted.function) options.lights.count = 0;
   Job job(std::move(progress));
-  const Callable::InJob in_job(fitted.function, job);
-  job.run([&] {
-    std::vector<fit::Candidate> candidates = {fit::candidate_of(fitted.lobes, fitted.request)};
-    fit::ReportOptions options;
-    options.title = fmt::format("{}: error of fitted lobes", fitted.brdf.name);
-    options.command = fitted.request.command;
-    options.tool_version = OPENLTC_VERSION;
-    if (!whole) {
-      options.worst_cells = 0;
-      candidates.front().nodes = {};
-    }
-    // Of a function of the caller's, one light takes hundreds of calls.
-    if (!whole || fitted.function) options.lights.count = 0;
-    report = take(fit::make_report(fitted.brdf, candidates, options));
-  });
-  fit::state_error(fitted.lobes, report->regions.front().errors.front());
+  const brdf::Brdf own = fitted.stopping_brdf_in(job);
+  candidates.front().lobes = [lobes = candidates.front().lobes, &job](double r, double cosine) {
+    job.stop_here();
+    return lobes(r, cosine);
+  };
+  std::optional<fit::Report> made;
+  job.run([&] { made = take(fit::make_report(own, candidates, options)); });
+  if (report) return;
+  const bool stated = fitted.errors || fitted.report;
+  report = std::move(made);
+  if (!stated) fit::state_error(fitted.lobes, report->regions.front().errors.front());
 }
 
 nb::list arrays_of(const PackedTable& packed) {
@@ -211,6 +217,7 @@ std::vector<std::string> save(Fitted& fitted, const std::string& path, nb::objec
     (void)take(fit::check_outputs(fitted.brdf, fitted.request, {path}));
   }
   measure(fitted, false, std::move(progress));
+  const Outside others_may_run;
   if (fitted.engine)
     return take(table::write_engine_files(std::get<PackedTable>(fitted.lobes.stored),
                                           *fitted.engine, path));

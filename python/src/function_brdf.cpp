@@ -35,18 +35,9 @@ Callable::~Callable() {
 
 void Callable::clear() { Py_CLEAR(function_); }
 
-Callable::InJob::InJob(const std::shared_ptr<Callable>& callable, Job& job)
-    : callable_(callable.get()) {
-  if (callable_) callable_->job_ = &job;
-}
-
-Callable::InJob::~InJob() {
-  if (callable_) callable_->job_ = nullptr;
-}
-
-void Callable::operator()(Vec3d wo, std::span<const Vec3d> wi, double roughness,
-                          std::span<double> values) const {
-  const bool done = function_ && job_ && job_->call([&] {
+void Callable::call(Job& job, Vec3d wo, std::span<const Vec3d> wi, double roughness,
+                    std::span<double> values) const {
+  const bool done = function_ && job.call([&] {
     using Values = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
     const nb::object result = nb::handle(function_)(
         array_of_directions(std::vector<Vec3d>(wi.size(), wo)), array_of_directions(wi), roughness);
@@ -55,15 +46,17 @@ void Callable::operator()(Vec3d wo, std::span<const Vec3d> wi, double roughness,
       throw std::length_error("the BRDF gave another number of values than of directions");
     std::copy_n(numbers.data(), values.size(), values.begin());
   });
-  if (!done) throw std::runtime_error("the job was stopped");
+  if (!done) throw std::runtime_error("the job was stopped"); // also where there is no function
 }
 
-brdf::Brdf brdf_of(const std::shared_ptr<Callable>& callable, std::string name,
+brdf::Brdf brdf_of(const std::shared_ptr<Callable>& callable, Job* job, std::string name,
                    brdf::LobeWidth width, bool has_roughness) {
   brdf::Brdf brdf = brdf::brdf_from_batch(
       std::move(name),
-      [callable](Vec3d wo, std::span<const Vec3d> wi, double roughness, std::span<double> values) {
-        (*callable)(wo, wi, roughness, values);
+      [callable, job](Vec3d wo, std::span<const Vec3d> wi, double roughness,
+                      std::span<double> values) {
+        if (!job) throw std::logic_error("there is no job to call the BRDF");
+        callable->call(*job, wo, wi, roughness, values);
       },
       width);
   if (!has_roughness) brdf.parameter.clear();

@@ -14,26 +14,16 @@
 
 namespace openltc::python {
 
-/// A function of Python that fitting calls, through the job that is going on. Owned by those who
-/// hold the BRDF, on any thread.
+/// A function of Python that fitting calls. Owned by those who hold the BRDF, on any thread.
 class Callable {
 public:
   explicit Callable(nanobind::object function);
   ~Callable();
 
-  /// While it exists, calls of the function go through `job`.
-  class InJob {
-  public:
-    InJob(const std::shared_ptr<Callable>& callable, Job& job);
-    ~InJob();
-
-  private:
-    Callable* callable_;
-  };
-
-  /// f of wo and each wi. Throws std::runtime_error when the job is being stopped.
-  void operator()(Vec3d wo, std::span<const Vec3d> wi, double roughness,
-                  std::span<double> values) const;
+  /// f of wo and each wi, by the thread that runs `job`. Throws std::runtime_error when the job is
+  /// being stopped.
+  void call(Job& job, Vec3d wo, std::span<const Vec3d> wi, double roughness,
+            std::span<double> values) const;
 
   /// For Python's collector of cycles: the function, and to let it go.
   PyObject* function() const { return function_; }
@@ -41,11 +31,10 @@ public:
 
 private:
   PyObject* function_; ///< null once it has been let go
-  Job* job_ = nullptr;
 };
 
-/// A BRDF of it.
-brdf::Brdf brdf_of(const std::shared_ptr<Callable>& callable, std::string name,
+/// A BRDF of it, which can be called while `job` runs; without one it only says what it is.
+brdf::Brdf brdf_of(const std::shared_ptr<Callable>& callable, Job* job, std::string name,
                    brdf::LobeWidth width, bool has_roughness);
 
 } // namespace openltc::python

@@ -23,14 +23,18 @@ Job::Job(nb::object progress) : report_(std::move(progress)) {}
 Progress Job::progress() {
   return [this](double share) {
     share_ = share;
-    return !stopped_;
+    return !is_stopped();
   };
+}
+
+void Job::stop_here() const {
+  if (is_stopped()) throw std::runtime_error("the job was stopped");
 }
 
 bool Job::call(const std::function<void()>& task) {
   Request request{&task};
   std::unique_lock lock(mutex_);
-  if (stopped_) return false;
+  if (is_stopped()) return false;
   requests_.push_back(&request);
   wanted_.notify_one();
   answered_.wait(lock, [&] { return request.finished; });
@@ -113,6 +117,10 @@ void Job::run(const std::function<void()>& work) {
   }
   worker.join();
   if (error_) throw *std::exchange(error_, std::nullopt);
+  if (failure && busy_.must_stop()) { // it is our doing
+    PyErr_SetNone(PyExc_SystemExit);
+    throw nb::python_error();
+  }
   if (failure) std::rethrow_exception(failure);
 }
 

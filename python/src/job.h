@@ -10,6 +10,7 @@
 
 #include "openltc/base/progress.h"
 #include "openltc/base/result.h"
+#include "python/src/busy.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -38,7 +39,7 @@ template <class T> T take(Result<T>&& result) {
 /// One piece of long work.
 class Job {
 public:
-  /// `progress` is None or a function of the share that is done, 0..1.
+  /// `progress` is None or a function of the share that is done, 0..1. Throws as Busy does.
   explicit Job(nanobind::object progress);
 
   /// Calls `work` on another thread and returns when it has ended. The calling thread has the
@@ -47,6 +48,10 @@ public:
 
   /// The library's view of this job. From any thread.
   Progress progress();
+
+  /// Throws std::runtime_error when the job is being stopped, for work that is not asked. From any
+  /// thread.
+  void stop_here() const;
 
   /// Has `task`, which may use the interpreter, done by the calling thread of run(). From `work`
   /// and its threads. False, and not done, when the job is being stopped, or stops because of it.
@@ -61,7 +66,9 @@ private:
   void serve(std::unique_lock<std::mutex>& lock);
   void keep_error();
   void look_around();
+  bool is_stopped() const { return stopped_ || busy_.must_stop(); }
 
+  Busy busy_;
   nanobind::object report_;
   double reported_ = -1;
   std::atomic<double> share_{0};

@@ -27,9 +27,10 @@ namespace {
 using PictureArray = nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>;
 
 image::Image picture_of(const PictureArray& array) {
-  if (array.shape(0) > image::k_max_side || array.shape(1) > image::k_max_side ||
-      array.shape(2) == 0 || array.shape(2) > 4)
-    throw ToolError("a picture has up to 65,535 pixels a side and 1 to 4 channels");
+  const auto is_side = [](std::size_t n) { return n > 0 && n <= std::size_t(image::k_max_side); };
+  if (!is_side(array.shape(0)) || !is_side(array.shape(1)) || array.shape(2) == 0 ||
+      array.shape(2) > 4)
+    throw ToolError("a picture has 1 to 65,535 pixels a side and 1 to 4 channels");
   image::Image picture(int(array.shape(1)), int(array.shape(0)), int(array.shape(2)));
   std::copy_n(array.data(), picture.data.size(), picture.data.begin());
   return picture;
@@ -37,7 +38,12 @@ image::Image picture_of(const PictureArray& array) {
 
 nb::tuple compare(PictureArray test, PictureArray reference, bool scene_linear,
                   std::optional<float> ev100, bool with_flip) {
-  const image::Image a = picture_of(test), b = picture_of(reference);
+  image::Image a, b;
+  {
+    const Outside others_may_run;
+    a = picture_of(test);
+    b = picture_of(reference);
+  }
   if (a.width != b.width || a.height != b.height || a.channels != b.channels)
     throw ToolError("the pictures differ in size or channels");
   image::Metrics m;
@@ -75,6 +81,7 @@ nb::tuple compare(PictureArray test, PictureArray reference, bool scene_linear,
 
 void write(const std::string& path, PictureArray radiance, std::optional<PictureArray> error,
            std::optional<float> ev100, bool half) {
+  const Outside others_may_run;
   const image::Image picture = picture_of(radiance);
   std::optional<image::Image> standard_error;
   if (error) standard_error = picture_of(*error);
@@ -87,7 +94,12 @@ void write(const std::string& path, PictureArray radiance, std::optional<Picture
 }
 
 nb::object read(const std::string& path, const std::string& layer) {
-  return array_of_picture(take(image::read_layer(path, layer)));
+  image::Image picture;
+  {
+    const Outside others_may_run;
+    picture = take(image::read_layer(path, layer));
+  }
+  return array_of_picture(std::move(picture));
 }
 
 fit::MeasuredLobes measured(const Fitted& fitted) {
@@ -96,12 +108,11 @@ fit::MeasuredLobes measured(const Fitted& fitted) {
 
 std::string error_figure(Fitted& fitted, std::vector<std::string> norms) {
   plot::ErrorFigureOptions options;
-  options.brdf = fitted.brdf;
   options.lobes = {measured(fitted)};
   if (!norms.empty()) options.norms = std::move(norms);
   options.command = fitted.request.command;
   Job job{nb::none()};
-  const Callable::InJob in_job(fitted.function, job);
+  options.brdf = fitted.stopping_brdf_in(job);
   std::string svg;
   job.run([&] { svg = to_svg(take(plot::make_error_figure(options)), draw::Theme::automatic); });
   return svg;
@@ -110,13 +121,12 @@ std::string error_figure(Fitted& fitted, std::vector<std::string> norms) {
 std::string fit_figure(Fitted& fitted, std::vector<double> theta_degrees,
                        std::vector<double> roughness) {
   plot::FitFigureOptions options;
-  options.brdf = fitted.brdf;
   options.lobes = measured(fitted);
   if (!theta_degrees.empty()) options.theta_degrees = std::move(theta_degrees);
   if (!roughness.empty()) options.roughness = std::move(roughness);
   options.command = fitted.request.command;
   Job job{nb::none()};
-  const Callable::InJob in_job(fitted.function, job);
+  options.brdf = fitted.stopping_brdf_in(job);
   std::string svg;
   job.run([&] { svg = to_svg(take(plot::make_fit_figure(options)), draw::Theme::automatic); });
   return svg;

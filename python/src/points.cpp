@@ -133,7 +133,7 @@ void shade(const LobeHandle& lobes, const LightList& lights, const Points& point
   const openltc_points p = points.as_c();
   if (radiance.shape(0) != p.count) throw ToolError("out has another number of points");
   float* out = radiance.data();
-  const nb::gil_scoped_release others_may_run;
+  const Outside others_may_run;
   check(openltc_shade(lobes.lobes, lights.lights, &p, threads, out));
 }
 
@@ -143,7 +143,7 @@ void shade_parts(const LobeHandle& lobes, const LightList& lights, const Points&
   if (diffuse.shape(0) != p.count || specular.shape(0) != p.count)
     throw ToolError("out has another number of points");
   float *a = diffuse.data(), *b = specular.data();
-  const nb::gil_scoped_release others_may_run;
+  const Outside others_may_run;
   check(openltc_shade_parts(lobes.lobes, lights.lights, &p, threads, a, b));
 }
 
@@ -154,7 +154,7 @@ nb::tuple eval_surface(const LobeHandle& lobes, const Points& points, Vectors di
   std::vector<float> values(3 * p.count), pdfs(p.count);
   const float* w = directions.data();
   {
-    const nb::gil_scoped_release others_may_run;
+    const Outside others_may_run;
     check(openltc_eval_surface(lobes.lobes, &p, 0, w, values.data(), pdfs.data()));
   }
   return nb::make_tuple(array_of(std::move(values), {p.count, 3}),
@@ -169,7 +169,7 @@ nb::object sample_surface(const LobeHandle& lobes, const Points& points, Pairs u
   std::vector<float> numbers(8 * p.count);
   {
     std::vector<openltc_direction_sample> samples(p.count);
-    const nb::gil_scoped_release others_may_run;
+    const Outside others_may_run;
     check(openltc_sample_surface(lobes.lobes, &p, 0, u.data(), samples.data()));
     for (std::size_t i = 0; i < p.count; ++i) {
       const openltc_direction_sample& s = samples[i];
@@ -194,7 +194,7 @@ nb::tuple eval_brdf(const std::string& name, Doubles3 wo, Doubles3 wi, Doubles r
   std::vector<double> scale(count), bias(count);
   const double *o = wo.data(), *i = wi.data(), *r = roughness.data();
   {
-    const nb::gil_scoped_release others_may_run;
+    const Outside others_may_run;
     for (std::size_t k = 0; k < count; ++k) {
       const Vec3d to_viewer(o[3 * k], o[3 * k + 1], o[3 * k + 2]);
       const Vec3d to_light(i[3 * k], i[3 * k + 1], i[3 * k + 2]);
@@ -217,8 +217,10 @@ nb::tuple lobes_at(const LobeHandle& lobes, Doubles roughness, Doubles cos_theta
     const double rows[9] = {lobe.m00, 0, lobe.m02, 0, 1, 0, lobe.m20, 0, lobe.m22};
     std::copy(std::begin(rows), std::end(rows), to);
   };
+  const double *roughnesses = roughness.data(), *cosines = cos_theta.data();
+  auto others_may_run = std::make_optional<Outside>();
   for (std::size_t k = 0; k < count; ++k) {
-    const auto r = float(roughness.data()[k]), c = float(cos_theta.data()[k]);
+    const auto r = float(roughnesses[k]), c = float(cosines[k]);
     if (!(r >= 0 && r <= 1 && c >= 0 && c <= 1))
       throw ToolError("roughness and cos_theta lie within 0 and 1");
     const f32::FittedLobe at = detail::find_lobe(lobes.lobes->view, r, c);
@@ -233,6 +235,7 @@ nb::tuple lobes_at(const LobeHandle& lobes, Doubles roughness, Doubles cos_theta
       put(second.data() + 9 * k, f32::cosine_lobe());
     }
   }
+  others_may_run.reset();
   return nb::make_tuple(array_of(std::move(first), {count, 3, 3}),
                         array_of(std::move(second), {count, 3, 3}),
                         array_of(std::move(amplitudes), {count, 3}));

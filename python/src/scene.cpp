@@ -11,6 +11,7 @@
 #include "openltc/table/shading_lobes.h"
 #include "python/src/arrays.h"
 #include "python/src/job.h"
+#include "python/src/scene_check.h"
 #include "python/src/vectors.h"
 
 #include <fmt/format.h>
@@ -114,17 +115,7 @@ light::Lights lights_from(const LoadedScene& loaded, nb::list list) {
           add_if(light, lights.spheres) || add_if(light, lights.tubes) ||
           add_if(light, lights.lines) || add_if(light, lights.punctual)))
       throw nb::type_error("lights: a light of the scene or of openltc.lights is wanted");
-  bool finite = true;
-  const auto look = [&](Vec3f v) {
-    for (const float x : {v.x, v.y, v.z})
-      finite = finite && std::isfinite(x) && x >= 0;
-  };
-  lights.for_each_area_light([&](const light::Emitter& e) { look(e.radiance); });
-  for (const light::LineLight& line : lights.lines)
-    look(line.intensity_per_metre);
-  for (const light::PunctualLight& p : lights.punctual)
-    look(p.intensity);
-  if (!finite) throw ToolError("lights: a radiance or intensity is negative or not finite");
+  take(check_lights(lights));
   return lights;
 }
 
@@ -236,6 +227,8 @@ nb::dict render(LoadedScene& loaded, nb::list lights, nb::list materials, nb::di
   if (own_materials.size() != scene.materials.size())
     throw ToolError(fmt::format("materials: the scene has {}, the list {}", scene.materials.size(),
                                 own_materials.size()));
+  take(check_materials(own_materials));
+  if (r.camera) take(check_camera(*r.camera));
   const FileKept kept(scene);
   scene.lights = std::move(wanted);
   scene.materials = std::move(own_materials);

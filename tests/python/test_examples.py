@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: MIT
 """The examples in the docstrings of the package, as doctests."""
 
+import ast
 import doctest
+import inspect
 import importlib
+import os
 import pkgutil
 import unittest
 
@@ -22,6 +25,24 @@ class Examples(unittest.TestCase):
             self.assertEqual(result.failed, 0, module.name)
             tried += result.attempted
         self.assertGreater(tried, 10)
+
+    def test_types_are_those_of_the_module(self):
+        # What editors see of the package, and the stubs of its module.
+        shown = next(node for node in ast.parse(inspect.getsource(openltc)).body if isinstance(node, ast.If))
+        names = {name.name for node in shown.body if isinstance(node, ast.ImportFrom) for name in node.names}
+        self.assertEqual(names | {"__version__"}, set(openltc.__all__))
+        from nanobind.stubgen import StubGen
+
+        module = importlib.import_module("openltc._openltc")
+        made = StubGen(module)
+        made.put(module)
+        with open(os.path.join(os.path.dirname(openltc.__file__), "_openltc.pyi"), encoding="utf-8") as file:
+            kept = file.read()
+
+        def lines(text):  # their order is not always the same
+            return sorted(line for line in text.splitlines() if line and not line.startswith("#"))
+
+        self.assertEqual(lines(made.get()), lines(kept))
 
     def test_every_public_name_says_what_it_is(self):
         for name in openltc.__all__:

@@ -112,12 +112,19 @@ class Functions(unittest.TestCase):
             self.assertLess(np.abs(got - expected).max(), 1e-2)
 
     def test_torch_and_jax(self):
-        for library in ("torch", "jax"):
-            try:
-                __import__(library)
-            except ImportError:
-                self.skipTest(f"{library} is not installed")
-            openltc.fit(lambda wo, wi, r: wi[:, 2] * 0 + 0.3, size=4, narrow=False, arrays=library)
+        for library, kind in (("torch", "Tensor"), ("jax", "Array")):
+            with self.subTest(library):
+                try:
+                    of = getattr(__import__(library), kind)
+                except ImportError:
+                    self.skipTest(f"{library} is not installed")
+
+                def flat(wo, wi, roughness):
+                    self.assertIsInstance(wi, of)
+                    return wi[:, 2] * 0 + 0.3
+
+                fit = openltc.fit(flat, size=4, narrow=False, arrays=library)
+                self.assertLess(fit.metadata["mean_tv"], 0.01)
 
     def test_faults_of_functions(self):
         def fit_of(value):
@@ -149,6 +156,32 @@ class Functions(unittest.TestCase):
         lobes = openltc.fit(size=4)
         self.assertRaisesRegex(openltc.Error, "extension|\\.tiff", lambda: lobes.save("a.tiff"))
 
+    def test_arguments_of_other_kinds(self):
+        for words, options in (("size='8'", {"size": "8"}), ("degree=4.0", {"degree": 4.0}), ("objective=3", {"objective": 3}),
+                               ("name=3", {"name": 3}), ("brdf: .*NoneType", {"brdf": None}), ("engine=1", {"engine": 1})):
+            with self.subTest(words):
+                self.assertRaisesRegex(TypeError, words, lambda: openltc.fit(**options))
+        self.assertRaisesRegex(ValueError, "UTF-8", lambda: openltc.fit("a\0.binary"))
+
+    def test_reports_in_threads_and_in_the_function(self):
+        # The function of a fit is called by several jobs at once, and within one of its own calls.
+        def inner(wo, wi, roughness):
+            if made and not asked:
+                asked.append(True)
+                texts.append(str(made[0].report))
+            return ggx(wo, wi, roughness)
+
+        made, asked, texts = [], [], []
+        made.append(openltc.fit(inner, size=2))
+        threads = [threading.Thread(target=lambda: texts.append(str(made[0].report))) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(texts), 3)
+        self.assertEqual(len(set(texts)), 1)
+        self.assertGreater(made[0].metadata["mean_tv"], 0)
+
     def test_nothing_is_left_behind(self):
         class Model:
             def __call__(self, wo, wi, roughness):
@@ -176,7 +209,43 @@ class Functions(unittest.TestCase):
         self.assertEqual(shares[-1], 1.0)
 
 
+def run_script(script):
+    """What a script prints and its exit code; nothing in between, such as a crash's words."""
+    paths = [os.environ["PYTHONPATH"], os.path.dirname(os.path.abspath(__file__))]
+    return subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120,
+                          env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)})
+
+
 class Interruption(unittest.TestCase):
+    def test_the_interpreter_ends_in_the_middle(self):
+        # By its end, while daemon threads fit, shade and render; and by a function that ends the process.
+        done = run_script("""
+import threading, time, numpy, openltc
+from test_fit import ggx
+scene, points = openltc.Scene.load("scenes/demo.glb"), numpy.zeros((1 << 18, 3), "f4")
+def shade():
+    while True:
+        openltc.shade(points, (0, 1, 0), (0, 1, 1), None, openltc.Point((0, 1, 0), 1))
+for work in (lambda: openltc.fit(ggx, size=512), shade, scene.render):
+    threading.Thread(target=work, daemon=True).start()
+time.sleep(0.3)
+print("left")
+""")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "left\n", ""))
+        done = run_script("import openltc, os; openltc.fit(lambda wo, wi, roughness: os._exit(7), size=2)")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (7, "", ""))
+
+    def test_progress_is_a_bar_or_a_line(self):
+        # tqdm where it is installed, and without it.
+        script = "import openltc; openltc.fit('ggx', size=8, progress=True)"
+        hidden = "import sys; sys.modules['tqdm'] = sys.modules['tqdm.auto'] = None\n"
+        self.assertIn("fitting ggx: 100% ", run_script(hidden + script).stderr)
+        try:
+            import tqdm  # noqa: F401
+        except ImportError:
+            self.skipTest("tqdm is not installed")
+        self.assertRegex(run_script(script).stderr, r"fitting ggx: +100%\|.*\|")
+
     def test_ctrl_c_and_other_threads(self):
         # A fit of minutes; another thread notes that it goes on, and interrupts.
         script = """
@@ -192,5 +261,5 @@ try:
 except KeyboardInterrupt:
     print("interrupted")
 """
-        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+        done = run_script(script)
         self.assertEqual(done.stdout, "went on\ninterrupted\n", done.stderr)

@@ -88,6 +88,9 @@ class Scenes(unittest.TestCase):
         np.testing.assert_array_equal(fresh.render(**k_small, camera=camera), self.before)
         camera.fov_y_rad *= 0.5
         self.assertFalse(np.array_equal(fresh.render(**k_small, camera=camera), self.before))
+        framed = scene.camera("auto", aspect=64 / 36)
+        self.assertNotEqual(framed.position, scene.camera().position)
+        np.testing.assert_array_equal(fresh.render(**k_small, camera="auto"), fresh.render(**k_small, camera=framed))
 
     def test_faults_are_told(self):
         scene = self.fresh()
@@ -99,12 +102,37 @@ class Scenes(unittest.TestCase):
             ("", lambda: scene.render(width=0)),
             ("a.tiff: .*.exr", lambda: self.before.save("a.tiff")),
             ("not/there.exr", lambda: openltc.read("not/there.exr")),
+            ("1 to 65,535 pixels", lambda: openltc.compare(np.empty((0, 0, 3)), np.empty((0, 0, 3)))),
             ("differ in size", lambda: openltc.compare(self.before, self.before[:9])),
         ):
             with self.subTest(words):
                 self.assertRaisesRegex(openltc.Error, words, call)
-        scene.lights[0].radiance_nits = (-1, 0, 0)
-        self.assertRaisesRegex(openltc.Error, "negative", lambda: scene.render(**k_small))
+        for words, option in (("width='a'", {"width": "a"}), ("seed=1.5", {"seed": 1.5}), ("camera=None", {"camera": None}),
+                              ("window", {"window": "abcd"}), ("threads=-1", {"threads": -1}),
+                              ("integrator=3", {"integrator": 3})):
+            with self.subTest(words):
+                self.assertRaisesRegex((TypeError, ValueError), words, lambda: scene.render(**{**k_small, **option}))
+        # Fields that were set: what would crash, or make a picture of NaN.
+        nan = float("nan")
+        for words, part, field, value in (
+            ("radiance_nits is -1", scene.lights[0], "radiance_nits", (-1, 0, 0)),
+            ("vertices is inf", scene.lights[0], "vertices", [(float("inf"), 0, 0)] * 4),
+            ("ring_ends", scene.lights[0], "ring_ends", [3]),
+            ("ring_ends", scene.lights[0], "vertices", []),
+            ("normal is not of length 1", scene.lights[0], "normal", (0, 0, 0)),
+            (r"materials\[1\], .*emission_nits is nan", scene.materials[1], "emission_nits", (nan, 0, 0)),
+            (r"materials\[1\], .*roughness is nan", scene.materials[1], "roughness", nan),
+            ("camera: fov_y_rad is nan", scene.cameras[0], "fov_y_rad", nan),
+            ("camera: position is inf", scene.cameras[0], "position", (float("inf"), 0, 0)),
+            ("camera: forward is not of length 1", scene.cameras[0], "forward", (0, 0, 0)),
+            ("not at right angles", scene.cameras[0], "up", tuple(scene.cameras[0].forward)),
+        ):
+            with self.subTest(words):
+                before = getattr(part, field)
+                setattr(part, field, value)
+                self.assertRaisesRegex(openltc.Error, words, lambda: scene.render(**k_small, camera=scene.cameras[0]))
+                setattr(part, field, before)
+        np.testing.assert_array_equal(scene.render(**k_small, camera=scene.cameras[0]), self.before)
         scene.lights[0] = "lamp"
         self.assertRaises(TypeError, lambda: scene.render(**k_small))
 

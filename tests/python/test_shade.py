@@ -150,6 +150,9 @@ class Arrays(unittest.TestCase):
     def test_empty_and_unusable(self):
         empty = np.empty((0, 3))
         self.assertEqual(openltc.shade(empty, empty, empty).shape, (0, 3))
+        self.assertEqual(openltc.shade(np.empty((4, 0, 3)), [0, 1, 0], [0, 1, 1]).shape, (4, 0, 3))
+        far = np.full((2, 3), 1e300)
+        np.testing.assert_array_equal(openltc.shade(far, [0, 1, 0], [0, 1, 1], None, openltc.Rectangle(**k_lamp)), 0)
         bad = openltc.shade([[np.nan, 0, 0], [0, 0, 0]], [[0, 1, 0], [0, 0, 0]], [0, 1, 0], None,
                             openltc.Rectangle(**k_lamp))
         np.testing.assert_array_equal(bad, 0)
@@ -168,7 +171,14 @@ class Arrays(unittest.TestCase):
             (openltc.Error, r"lights\[0\], Sphere: radius", lambda: openltc.shade(ok, ok, ok, None, openltc.Sphere((0, 0, 0), -1, 1))),
             (openltc.Error, "radiance is negative", lambda: openltc.shade(ok, ok, ok, None, openltc.Sphere((0, 0, 0), 1, -1))),
             (ValueError, "out: ", lambda: openltc.shade(ok, ok, ok, None, lamp, out=np.empty((4, 3)))),
+            (ValueError, "out: .*memory", lambda: openltc.shade(ok, ok, ok, None, lamp, out=ok)),
             (ValueError, "lobes=", lambda: openltc.shade(ok, ok, ok, None, lamp, lobes="best")),
+            (TypeError, "threads='two'", lambda: openltc.shade(ok, ok, ok, None, lamp, threads="two")),
+            (ValueError, "threads=-1", lambda: openltc.shade(ok, ok, ok, None, lamp, threads=-1)),
+            (TypeError, "lights: .*NoneType", lambda: openltc.shade(ok, ok, ok, None, None)),
+            (TypeError, "Point: intensity_candela=None", lambda: openltc.shade(ok, ok, ok, None, openltc.Point((0, 1, 0), None))),
+            (ValueError, "inner_angle_degrees", lambda: openltc.shade(ok, ok, ok, None, openltc.Spot((0, 1, 0), (0, -1, 0), 1, 50, 20))),
+            (openltc.Error, "u: ", lambda: openltc.Lobes().sample(0.5, 0.5, [[1.5, np.nan]])),
         ):
             with self.subTest(words):
                 self.assertRaisesRegex(error, words, call)
