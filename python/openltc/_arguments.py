@@ -25,6 +25,13 @@ def real(value, name):
         raise TypeError(f"{name}={value!r}: a number is wanted") from None
 
 
+def parts(values, name, of):
+    """What a scene has many of, as a list; `of` says of what."""
+    if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__"):
+        raise TypeError(f"{name}={values!r}: a list of {of} is wanted")
+    return list(values)
+
+
 def text(value, name):
     """A word."""
     if not isinstance(value, str):

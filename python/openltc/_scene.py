@@ -10,7 +10,7 @@ import os
 from typing import Any
 
 from . import _openltc, lights as _lights
-from ._arguments import path as path_of, real, text, whole
+from ._arguments import parts, path as path_of, real, text, whole
 from ._picture import Picture
 from ._progress import reporter
 
@@ -49,7 +49,7 @@ class Scene:
 
     def scale_lights(self, factor: float) -> None:
         """Multiplies the light of all lights, whatever their unit."""
-        for light in self.lights:
+        for light in parts(self.lights, "lights", "lights"):
             for name in ("radiance_nits", "intensity_candela_per_metre", "intensity_candela_or_lux",
                          "intensity_candela", "illuminance_lux"):
                 value = getattr(light, name, None)
@@ -126,8 +126,12 @@ class Scene:
                        light_error=real(light_error, "light_error"), background_nits=background_nits,
                        seed=whole(seed, "seed", 0, 2**32 - 1), threads=whole(threads, "threads", 0), window=window,
                        **{name: text(word, name) for name, word in words.items()})
+        own_lights = [_of_scene(light) for light in parts(self.lights, "lights", "lights of the scene or of openltc.lights")]
+        materials = parts(self.materials, "materials", "materials of the scene")
+        if not all(isinstance(one, _openltc.SceneMaterial) for one in materials):
+            raise TypeError("materials: a material of the scene is wanted")
         with reporter(progress, "rendering") as report:
-            made = self._lower.render([_of_scene(light) for light in self.lights], self.materials, options, report)
+            made = self._lower.render(own_lights, materials, options, report)
         return Picture(made.pop("radiance"), made)
 
 

@@ -7,6 +7,8 @@
 #include "python/src/scene.h"
 #include "python/src/vectors.h"
 
+#include <fmt/format.h>
+
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -16,9 +18,31 @@ namespace nb = nanobind;
 
 namespace {
 
+// Sets a field. In place of nanobind's words on arguments of functions: which field, and what it
+// takes.
+int set_field(PyObject* self, PyObject* name, PyObject* value) {
+  const int code = PyObject_GenericSetAttr(self, name, value);
+  if (code == 0 || value == nullptr || PyErr_ExceptionMatches(PyExc_TypeError) == 0) return code;
+  PyErr_Clear();
+  try {
+    const nb::handle object(self), field(name), given(value);
+    const nb::object now = nb::getattr(object, field);
+    PyErr_SetString(PyExc_TypeError,
+                    fmt::format("{}={:.80}: a {} is wanted, as {:.80} is", nb::str(field).c_str(),
+                                nb::repr(given).c_str(), nb::type_name(now.type()).c_str(),
+                                nb::repr(now).c_str())
+                        .c_str());
+  } catch (nb::python_error& error) { // of a __repr__
+    error.restore();
+  }
+  return code;
+}
+
+const PyType_Slot k_fields[] = {{Py_tp_setattro, reinterpret_cast<void*>(set_field)}, {0, nullptr}};
+
 void bind_area_lights(nb::module_& m) {
   using namespace light;
-  nb::class_<Emitter>(m, "Emitter",
+  nb::class_<Emitter>(m, "Emitter", nb::type_slots(k_fields),
                       "What lights with an extent have: radiance in nits along the normal, times "
                       "cos(t)^cosine_power at the angle t.")
       .def_rw("name", &Emitter::name)
@@ -65,7 +89,7 @@ void bind_area_lights(nb::module_& m) {
 
 void bind_punctual(nb::module_& m) {
   using light::PunctualLight;
-  nb::class_<PunctualLight>(m, "PunctualLight",
+  nb::class_<PunctualLight>(m, "PunctualLight", nb::type_slots(k_fields),
                             "A point, spot or directional light of a scene, in candela or lux.")
       .def(nb::init<>())
       .def_rw("name", &PunctualLight::name)
@@ -100,7 +124,7 @@ void bind_scene_parts(nb::module_& m) {
   bind_area_lights(m);
   bind_punctual(m);
   using scene::Camera, scene::Material;
-  nb::class_<Camera>(m, "Camera",
+  nb::class_<Camera>(m, "Camera", nb::type_slots(k_fields),
                      "Looks along `forward`; right, up, forward are orthonormal, world space; "
                      "fov_y_rad is the full vertical angle.")
       .def(nb::init<>())
@@ -121,7 +145,7 @@ void bind_scene_parts(nb::module_& m) {
       .def_rw("near_metres", &Camera::near)
       .def_rw("far_metres", &Camera::far);
   nb::class_<Material>(
-      m, "SceneMaterial",
+      m, "SceneMaterial", nb::type_slots(k_fields),
       "A material of a scene: glTF metallic-roughness; textures of the file multiply these.")
       .def_rw("name", &Material::name)
       .def_rw("base_color", &Material::base_color)

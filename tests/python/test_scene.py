@@ -133,8 +133,20 @@ class Scenes(unittest.TestCase):
                 self.assertRaisesRegex(openltc.Error, words, lambda: scene.render(**k_small, camera=scene.cameras[0]))
                 setattr(part, field, before)
         np.testing.assert_array_equal(scene.render(**k_small, camera=scene.cameras[0]), self.before)
-        scene.lights[0] = "lamp"
-        self.assertRaises(TypeError, lambda: scene.render(**k_small))
+        for words, part, field, value in (
+            ("roughness='rough': a float is wanted", scene.materials[1], "roughness", "rough"),
+            ("radiance_nits=3: a tuple is wanted", scene.lights[0], "radiance_nits", 3),
+            ("two_sided=None: a bool is wanted", scene.lights[0], "two_sided", None),
+            ("position=", scene.cameras[0], "position", (1, 2)),
+        ):
+            with self.subTest(words):
+                self.assertRaisesRegex(TypeError, words, setattr, part, field, value)
+        for field, value in (("lights", 3), ("lights", "lamp"), ("lights", ["lamp"]), ("materials", None), ("materials", ["wood"])):
+            with self.subTest(field):
+                before = getattr(scene, field)
+                setattr(scene, field, value)
+                self.assertRaisesRegex(TypeError, field + ".* is wanted", lambda: scene.render(**k_small))
+                setattr(scene, field, before)
 
     def test_progress_and_ctrl_c(self):
         shares = []
