@@ -28,7 +28,7 @@ k_keys = {"Tab": (9, ""), "Enter": (13, "\r"), "Escape": (27, ""), "Backspace": 
 
 def app_arguments(page, build=None):
     """The words of a test of web/app, and the browser's program; where that or `page` is missing, it skips. With `build`,
-    which makes the page and returns its folder, there may be none yet, and the test may be short."""
+    which makes the page and returns its folder, there may be none yet; a test may be short."""
     parser = argparse.ArgumentParser()
     for name in ("openltc", "work"):
         parser.add_argument("--" + name, required=True)

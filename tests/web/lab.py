@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: MIT
 """Uses the laboratory of web/app in a browser without a window, and inspects what it gives away.
 
-    lab.py --openltc PROGRAM --app FOLDER --work DIR
+    lab.py --openltc PROGRAM [--app FOLDER] --work DIR
 
-FOLDER is what `make web` makes. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
+FOLDER is what `make web` makes; without it the page is made below DIR, of the fitter that `make web` has made. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
 
 import json
 import os
@@ -14,8 +14,9 @@ import sys
 import zipfile
 
 k_here = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity"), k_here]
+sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity"), os.path.join(os.path.dirname(k_here), "engines"), k_here]
 import browser
+from app_pages import build_laboratory
 from devtools import app_arguments
 from openltc import write_merl
 
@@ -54,7 +55,7 @@ def inspect(openltc, path, words):
 
 
 def main():
-    arguments, program = app_arguments("index.html")
+    arguments, program = app_arguments("index.html", build_laboratory)
     write_merl(os.path.join(arguments.work, "made.binary"))
     found = browser.run(program, os.path.join(k_here, "lab.html"), arguments.work, [], root=os.path.abspath(arguments.app),
                         timeout=400)

@@ -21,12 +21,12 @@ k_here = os.path.dirname(os.path.abspath(__file__))
 k_root = os.path.dirname(os.path.dirname(k_here))
 sys.path[:0] = [k_here, os.path.join(k_root, "tests", "parity"), os.path.join(k_root, "tests", "engines"),
                 os.path.join(k_root, "tools"), os.path.join(k_root, "tools", "npm")]
+from app_pages import build_viewer, size_of
 from bad_files import bad_files
 from devtools import Page, Server, app_arguments
 from engines import read_exr, run
 from scenes import k_scenes, write_scene
 from three import shown
-from viewer_page import build_viewer, size_of
 
 k_size = (820, 560)
 # Steps of 255, in the mean, without edges, which the page smooths and the other does not.

@@ -1,6 +1,7 @@
 # Copyright (c) 2026 The OpenLTC authors
 # SPDX-License-Identifier: MIT
-"""The viewer's page: made without `make web`, since it needs nothing of WebAssembly, and how large it is."""
+"""The pages of web/app for tests: the viewer, which needs nothing of WebAssembly, and how large it is; the laboratory,
+with the fitter that `make web` has made."""
 
 import gzip
 import os
@@ -12,6 +13,20 @@ k_web = os.path.join(os.path.dirname(os.path.dirname(k_here)), "web")
 sys.path.append(os.path.join(os.path.dirname(k_web), "tools", "npm"))
 import npm_packages
 from engines import run, skip
+
+
+k_fitter = os.path.join(os.path.dirname(k_web), "out", "web", "openltc")
+
+
+def build_laboratory(openltc, work):
+    """Returns the folder of its page, below `work`; skips where there is no fitter in WebAssembly."""
+    node = shutil.which("node")
+    if not node:
+        skip("node not found (package nodejs)")
+    if not os.path.exists(os.path.join(k_fitter, "openltc.wasm")):
+        skip("the fitter in WebAssembly is not there (%s); make web makes it" % k_fitter)
+    run(node, os.path.join(k_web, "app", "build.mjs"), openltc, k_fitter, os.path.join(work, "app"))
+    return os.path.join(work, "app")
 
 
 def build_viewer(openltc, work):
