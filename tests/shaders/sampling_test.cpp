@@ -17,6 +17,15 @@ using namespace openltc::testing;
 
 namespace {
 
+// What a grid of 48^2 numbers misses: a polygon's outline in its circle, the far side of a tube.
+// Measured: 0.0012 and 0.01 for quads, disks 0.0016 and 0.01, spheres 0.0018 and 0.01; polygons
+// 0.0066 and 0.023; tubes 0.0078 and 0.058; lines 1.3e-5 and 1.2e-4.
+struct Bounds {
+  double mean, worst;
+};
+constexpr Bounds k_bounds[] = {{0.003, 0.02}, {0.01, 0.04}, {0.003, 0.02},
+                               {0.003, 0.02}, {0.01, 0.08}, {5e-5, 5e-4}};
+
 constexpr int k_cases = 50, k_side = 48, k_directions = 96;
 
 f64::Surface surface_of(const metal_run::Case& at) {
@@ -146,7 +155,7 @@ TEST_CASE("the mean of eval_point over points is the light: Lambert's in closed 
       worst = std::max(worst, error);
     }
     MESSAGE(fmt::format("shape {}: mean {:.2g}, worst {:.2g}", shape, mean, worst));
-    CHECK(mean < 0.01);
-    CHECK(worst < 0.1);
+    CHECK(mean < k_bounds[shape].mean);
+    CHECK(worst < k_bounds[shape].worst);
   }
 }
