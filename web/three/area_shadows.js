@@ -3,11 +3,12 @@
 //
 // The shadows of a scene, as both renderers have them: what casts them, and when sums begin anew.
 
+import {Vector2} from 'three';
+import {sameItems} from './scene_lights.js';
 import {TreeTexture} from './tree.js';
 
-const sameNumbers = (a, b) => a.length === b.length && a.every((x, i) => x === b[i]);
-
-/// Base of an entry's own class, which has sums and draws what is added to them. `lights` is of SceneLights.
+/// Base of an entry's own class, which has sums, reserve(size) for them, and draws what is added to them. `lights` is of
+/// SceneLights.
 export class AreaShadows {
   /// Pictures since the last change, and after how many no ray is sent any more.
   frame = 0;
@@ -45,20 +46,24 @@ export class AreaShadows {
     return found;
   }
 
-  // Looks for changes of what is seen.
-  lookAt(camera, size) {
+  // Before a picture: looks for changes of what is seen.
+  prepare(renderer, camera) {
+    const outer = renderer.getRenderTarget(), size = new Vector2();
+    if (outer) size.set(outer.width, outer.height);
+    else renderer.getDrawingBufferSize(size);
+    this.reserve(size);
     const meshes = this.occluders();
     const state = meshes.flatMap(mesh => [mesh.id, mesh.geometry.id, mesh.geometry.attributes.position.version,
                                           mesh.count ?? 1, mesh.instanceMatrix?.version ?? 0,
                                           ...mesh.matrixWorld.elements]);
-    if (!sameNumbers(state, this.meshes)) {
+    if (!sameItems(state, this.meshes)) {
       this.meshes = state;
       this.tree.write(meshes);
       this.frame = 0;
     }
     const view = [size.x, size.y, this.exact ? 1 : 0, ...camera.matrixWorld.elements, ...camera.projectionMatrix.elements,
                   ...this.lights.rows.data];
-    if (!sameNumbers(view, this.view)) {
+    if (!sameItems(view, this.view)) {
       this.view = view;
       this.frame = 0;
     }

@@ -87,10 +87,10 @@ ${coat ? '    light += coat_share * openltc_eval_point(coat, point, density);\n'
 }
 
 // The rays to all lights of a form that cast shadows.
-function raysOf(form, words, pictures, coat) {
+function raysOf(form, words, pictures, exact, coat) {
   const {int, vec3, pictureArgument} = words, [shape, copies] = form.split(':'), [plain] = shape.split('_');
   const surfaces = coat ? 'coat, coat_share' : '', by_lobe = plain === 'line' ? '0.0' : 'by_lobe';
-  const own = plain === 'line' ? 'rougher' : 'surface', lamp = makeLight(plain);
+  const own = plain === 'line' && !exact ? 'rougher' : 'surface', lamp = makeLight(plain);
   const body = picture => `    head = openltc_element(i);
     if (head.w < 0.0) {
       u = openltc_numbers(pixel, i, frame);
@@ -127,7 +127,6 @@ export function rayFunctions(forms, words, pictures, exact, coat) {
   const surface = (normal, albedo, f0, f90, roughness) =>
       `openltc_surface_at(here - openltc_element(${originIndex}).xyz, to_world * ${normal}, to_world * view,
       ${albedo}, ${f0}, ${vec3}(${f90}), ${roughness})`;
-  const quiet = exact ? '0.0' : '0.25';
   return global(vec3, 'openltc_all') + global(vec3, 'openltc_open') +
       fn(vec4, 'openltc_polygon_data', [[int, 'i']], '  return openltc_element(i);\n') + withDefinitions([
     hiddenFunction(words), numbersFunction(words), left.length ? texelFunction(words) : '', addFunction(words, exact, coat),
@@ -138,21 +137,20 @@ export function rayFunctions(forms, words, pictures, exact, coat) {
        variable(vec3, 'origin', 'here + (1.0e-4 + 1.0e-6 * length(here)) * up') +
        variable(vec3, 'start', `origin - openltc_element(${originIndex}).xyz`) +
        variable('openltc_Surface', 'surface', surface('normal', 'albedo', 'f0', 'f90', 'roughness')) +
-       (forms.includes('line') ? variable('openltc_Surface', 'rougher',
-                                         surface('normal', 'albedo', 'f0', 'f90', `max(roughness, ${quiet})`)) : '') +
+       (forms.includes('line') && !exact ? variable('openltc_Surface', 'rougher',
+                                                   surface('normal', 'albedo', 'f0', 'f90', 'max(roughness, 0.25)')) : '') +
        (coat ? variable('openltc_Surface', 'coat', surface('coat_normal', `${vec3}(0.0)`, `${vec3}(0.04)`, '1.0',
-                                                             `max(coat_roughness, ${quiet})`)) : '') +
+                                                             exact ? 'coat_roughness' : 'max(coat_roughness, 0.25)')) : '') +
        variable(real, 'by_lobe', '0.5 * step(roughness, 0.4)') +
        variable(int, 'i', '0') + variable(int, 'end', '0') + variable(vec4, 'head', `${vec4}(0.0)`) +
        variable(vec3, 'u', `${vec3}(0.0)`) + words.declare('openltc_LightPoint', 'point') +
-       forms.map(form => raysOf(form, words, left, coat)).join('') +
+       forms.map(form => raysOf(form, words, left, exact, coat)).join('') +
        `  return ${mat3}(openltc_all, openltc_open, ${vec3}(0.0));\n`),
   ].join('\n'), words.definitions);
 }
 
-/// The ratio, for the picture itself, of both sums. Where a channel was found of no ray, that of all channels; 1
-/// where nothing was.
-/// openltc_radiance is that of a light, times openltc_ratio where it casts shadows.
+/// openltc_ratio_of is the ratio of both sums, for the picture itself. Where a channel was found of no ray, it is that of
+/// all channels, and 1 where nothing was. openltc_radiance is that of a light, times openltc_ratio where it casts shadows.
 export function ratioFunctions({fn, global, real, variable, vec3, vec4}) {
   const channel = c => `  if (all.${c} > 0.0) { ratio.${c} = open.${c} / all.${c}; }\n`;
   return global(vec3, 'openltc_ratio') +

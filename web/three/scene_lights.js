@@ -11,6 +11,8 @@ import {formOf} from './shader_text.js';
 // A shader has sixteen textures, most of which are the material's.
 const mostPictures = 4;
 
+export const sameItems = (a, b) => a.length === b.length && a.every((x, i) => x === b[i]);
+
 /// Chains itself to the scene's onBeforeRender and onAfterRender. An entry's own class has begin(renderer, camera)
 /// and end(), which stand around a picture.
 export class SceneLights {

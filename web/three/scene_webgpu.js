@@ -6,7 +6,7 @@
 
 import {CodeNode, LightingNode, PhysicalLightingModel} from 'three/webgpu';
 import {glsl} from './glsl.js';
-import {SceneLights, makeEnable} from './scene_lights.js';
+import {SceneLights, makeEnable, sameItems} from './scene_lights.js';
 import {rayFunctions, rayParameters, ratioFunctions} from './rays.js';
 import {functionsFor, layerParameters} from './shader_text.js';
 import {cameraPosition, cameraViewMatrix, clearcoatNormalView, diffuseContribution, float, glslFn, ivec2, mat3,
@@ -49,8 +49,8 @@ class LightsFunctionNode extends LightingNode {
 
   words(builder) { return builder.renderer.backend.isWebGPUBackend ? wgsl : glsl; }
 
-  // `write` gives its text, from the words of the language and names of the textures; `name` is the function in it that
-  // `body` calls.
+  // A function of that name; `write` gives the text that stands before it, from the words of the language and names of
+  // the textures.
   fn(builder, type, name, parameters, body, write) {
     const words = this.words(builder), native = words === wgsl ? wgslFn : glslFn;
     return native(words.fn(words[type], name, parameters(words), body(words)),
@@ -115,8 +115,6 @@ export class AreaRaysNode extends LightsFunctionNode {
     foundNames.forEach((name, k) => property('vec3', name).assign(found.element(k)));
   }
 }
-
-const sameItems = (a, b) => a.length === b.length && a.every((x, i) => x === b[i]);
 
 class WebGPUSceneLights extends SceneLights {
   depth = 0; // pictures of this scene that are being drawn, one within the other: they share a texture

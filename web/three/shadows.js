@@ -5,7 +5,7 @@
 // one ray to each light with castShadow from each pixel, and adds what it finds to two sums, with and without what
 // stands between. The closed form is multiplied by their ratio (rays.js).
 
-import {Color, FloatType, NearestFilter, Vector2, WebGLRenderTarget} from 'three';
+import {Color, FloatType, NearestFilter, WebGLRenderTarget} from 'three';
 import {AreaShadows} from './area_shadows.js';
 import {enableAreaLights, sharedUniforms} from './scene.js';
 
@@ -42,18 +42,15 @@ class WebGLAreaShadows extends AreaShadows {
 
   /// Adds a ray to each pixel. `draw` draws the scene.
   trace(renderer, camera, draw) {
-    const outer = renderer.getRenderTarget(), size = new Vector2();
-    if (outer) size.set(outer.width, outer.height);
-    else renderer.getDrawingBufferSize(size);
-    this.lookAt(camera, size);
-    this.reserve(size);
-    if (this.frame < this.frames) this.addRays(renderer, outer, draw);
+    this.prepare(renderer, camera);
+    if (this.frame < this.frames) this.addRays(renderer, draw);
     const {unshadowed, shadowed} = this.sums;
     sharedUniforms.openltc_unshadowed.value = unshadowed;
     sharedUniforms.openltc_shadowed.value = shadowed;
   }
 
-  addRays(renderer, outer, draw) {
+  addRays(renderer, draw) {
+    const outer = renderer.getRenderTarget();
     const {scene} = this.lights, {background} = scene, {autoClear} = renderer, color = renderer.getClearColor(new Color());
     const alpha = renderer.getClearAlpha(), [from, to] = [this.frame % 2, (this.frame + 1) % 2];
     scene.background = null;
@@ -78,7 +75,7 @@ class WebGLAreaShadows extends AreaShadows {
 
 /// Lets lights of a scene with castShadow have shadows, from the next picture of WebGLRenderer on. Returns an object:
 /// frame of frames rays of a pixel have been sent to each light since the last change. `exact`, which may be changed at
-/// any time: the sums are those of the material itself, noisier in smooth surfaces under tubes and in coats.
+/// any time: the sums are those of the material itself, noisier in smooth surfaces under lines and in coats.
 export function enableAreaShadows(scene, {frames = 256, exact = false} = {}) {
   const lights = enableAreaLights(scene);
   return lights.shadows ?? new WebGLAreaShadows(lights, frames, exact);

@@ -7,6 +7,7 @@
 import {Color, FloatType, HalfFloatType, NearestFilter, NodeMaterial, QuadMesh, RenderTarget, RendererUtils, Scene,
         Vector2} from 'three/webgpu';
 import {AreaShadows} from './area_shadows.js';
+import {sameItems} from './scene_lights.js';
 import {AreaRaysNode, enableAreaLights, foundNames} from './scene_webgpu.js';
 import {ivec2, mrt, property, renderGroup, screenCoordinate, textureLoad, uniform, vec4} from './tsl.js';
 
@@ -82,11 +83,7 @@ class WebGPUAreaShadows extends AreaShadows {
 
   /// Adds a ray to each pixel.
   trace(renderer, camera) {
-    const outer = renderer.getRenderTarget(), size = new Vector2();
-    if (outer) size.set(outer.width, outer.height);
-    else renderer.getDrawingBufferSize(size);
-    this.lookAt(camera, size);
-    this.reserve(size);
+    this.prepare(renderer, camera);
     if (this.frame < this.frames) this.addRays(renderer, camera);
   }
 
@@ -118,7 +115,7 @@ class WebGPUAreaShadows extends AreaShadows {
   // A new node where what it is made of is other.
   take() {
     const {forms, rows, pictures} = this.lights, parts = [forms, rows.texture, this.tree.texture, this.exact, ...pictures];
-    if (parts.length === this.parts.length && parts.every((part, k) => part === this.parts[k])) return;
+    if (sameItems(parts, this.parts)) return;
     this.parts = parts;
     this.node = new AreaRaysNode(forms, rows.texture, pictures, this);
   }

@@ -66,6 +66,4 @@ export class Display {
     this.quad.material = made.material;
     this.quad.render(this.renderer);
   }
-
-  dispose() { for (const {material} of this.materials.values()) material.dispose(); }
 }

@@ -35,7 +35,7 @@ export class Pictures {
   constructor(renderer, world) {
     this.world = world;
     this.setRenderer(renderer);
-    this.area = enableAreaLights(world);
+    enableAreaLights(world);
     this.shadows = null;
   }
 
