@@ -8,9 +8,10 @@ import os
 
 import numpy as np
 
-from . import _openltc
+from . import _openltc, _shade
 from ._arrays import as_vectors
 from ._fit import brdfs
+from ._material import Material
 
 
 class Brdf:
@@ -48,5 +49,25 @@ class Brdf:
         cosine = np.asarray(wi, float)[..., 2]
         return np.divide(scale, cosine, out=np.zeros_like(scale), where=np.broadcast_to(cosine, scale.shape) > 0)
 
+    def sample(self, wo, roughness, u):
+        """Directions (..., 3) that suit any BRDF, drawn by random numbers u (..., 2) in [0, 1): in part from GGX
+        of that roughness, in part from the cosine; and their densities per steradian (...,), 0 for one that
+        leads below the surface and counts as 0. wo (..., 3) and roughness as of `parts`. Over u the mean of
+        `parts(wo, wi, roughness)[0] / density` is the albedo."""
+        wi, _, density, counts = _shade.sample(_up, wo, _between(roughness), u)
+        return wi, np.where(counts, density, 0)
+
+    def pdf(self, wo, wi, roughness):
+        """Density (...,) per steradian with which `sample` draws wi."""
+        return _shade.pdf(_up, wo, _between(roughness), wi)
+
     def __repr__(self):
         return f"openltc.Brdf({self.name!r})"
+
+
+_up = np.float32([0, 0, 1])
+
+
+def _between(roughness):
+    """A material that both reflects and scatters, by which directions are drawn."""
+    return Material(metallic=0.5, roughness=roughness)

@@ -107,6 +107,25 @@ class Shading(unittest.TestCase):
                 got = openltc.shade([[0, 0, 0]], [0, 1, 0], [0, 1, 0], white, light)
                 np.testing.assert_allclose(got, np.full((1, 3), lux / math.pi), rtol=2e-3)
 
+    def test_directions_for_any_brdf_have_their_densities(self):
+        # The mean of f cos over the density is the albedo, and the density the share that counts; both by quadrature.
+        side = (np.arange(128) + 0.5) / 128
+        u = np.stack(np.meshgrid(side, side), -1).reshape(-1, 2)
+        nodes, weights = np.polynomial.legendre.leggauss(200)
+        theta, phi = np.meshgrid((nodes + 1) * np.pi / 4, (np.arange(180) + 0.5) * np.pi / 90, indexing="ij")
+        solid_angle = (weights * np.pi / 4)[:, None] * np.sin(theta) * np.pi / 90
+        around = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], -1)
+        for name, cosine, roughness in (("ggx", 0.9, 0.4), ("burley", 0.5, 0.6), ("charlie", 0.3, 1.0)):
+            with self.subTest(name):
+                brdf, wo = openltc.Brdf(name), np.array([np.sqrt(1 - cosine**2), 0, cosine])
+                albedo = (brdf.parts(wo, around, roughness)[0] * solid_angle).sum()
+                wi, density = brdf.sample(np.broadcast_to(wo, (len(u), 3)), roughness, u)
+                value = brdf.parts(wo, wi.astype(float), roughness)[0]
+                mean = np.divide(value, density, out=np.zeros(len(u)), where=density > 0).mean()
+                self.assertLess(abs(mean - albedo), 0.005 * albedo)
+                drawn = brdf.pdf(np.broadcast_to(wo, around.shape), around, roughness)
+                self.assertLess(abs((drawn * solid_angle).sum() - (density > 0).mean()), 0.002)
+
     def test_parts_add_up(self):
         positions, normals, views = points_on_floor(50)
         arguments = positions, normals, views, Material(roughness=0.4), openltc.Rectangle(**k_lamp)
