@@ -16,7 +16,7 @@ clang_cxx = $(firstword $(shell for cxx in clang++-14 clang++ clang++-19 clang++
 release_cxx = $(if $(filter default,$(origin CXX)),$(or $(clang_cxx),$(CXX)),$(CXX))
 FUZZ_CXX ?= $(clang_cxx)
 
-.PHONY: help setup build build-all build-checked demo lights package python figures reference test bench bench-python hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web web-test cross clean
+.PHONY: help setup build build-all build-checked build-fitter demo lights package python figures reference test bench bench-python hard format format-check sanitize fuzz fuzz-lights shader-compilers shader-cost parity web web-test cross clean
 
 help: ## Print this list (default)
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 14
@@ -40,6 +40,10 @@ build-checked: setup
 	cmake --preset checked -DCMAKE_CXX_COMPILER=$(release_cxx)
 	cmake --build --preset checked --parallel $(JOBS)
 
+# The fitter in WebAssembly, where there is a compiler for it.
+build-fitter: setup
+	@web/wasm/build.sh fitter $(JOBS)
+
 demo: build ## Render the demo scene by LTC and by reference, and compare the two
 	@OPENLTC=build/release/bin/openltc tools/demo.sh
 
@@ -54,7 +58,7 @@ python: setup ## Make the Python wheels and the source distribution: out/python
 	@CXX=$(release_cxx) tools/python/make_wheels.sh $(PYTHON)
 
 web: build ## Make the npm packages, the laboratory, the viewer, and fetch three.js for its example: out/web
-	@web/wasm/build.sh build/release/bin/openltc out/web $(JOBS)
+	@web/wasm/build.sh package build/release/bin/openltc out/web $(JOBS)
 	@node web/three/build.mjs build/release/bin/openltc out/web/openltc-three
 	@cp tests/web/package.json tests/web/package-lock.json out/web
 	@npm ci --prefix out/web --ignore-scripts --no-audit --no-fund
@@ -68,7 +72,7 @@ web-test: web ## Test the npm packages, the laboratory and the viewer: in Node, 
 	@/usr/bin/python3 -B tests/web/lab.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/lab
 	@/usr/bin/python3 -B tests/web/keyboard.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/keyboard
 	@/usr/bin/python3 -B tests/web/viewer.py --openltc build/release/bin/openltc --app out/web/app --work out/web-test/viewer
-	@/usr/bin/python3 -B tests/web/rays.py --web out/web --work out/web-test/rays
+	@/usr/bin/python3 -B tests/web/rays.py --openltc build/release/bin/openltc --web out/web --work out/web-test/rays
 
 figures: build ## Make the figures of the docs: docs/images/plot
 	@tools/make_figures.sh
@@ -76,7 +80,7 @@ figures: build ## Make the figures of the docs: docs/images/plot
 reference: setup ## Make the reference pages of the public headers: out/reference/html
 	@tools/reference/make_reference.py
 
-test: build-all build-checked ## Run all tests, those that are quick with assertions too
+test: build-all build-checked build-fitter ## Run all tests, those that are quick with assertions too
 	@tools/test.sh release checked
 
 bench: build-all ## Run the benchmarks

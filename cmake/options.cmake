@@ -39,11 +39,19 @@ function(openltc_batch target size)
   endif()
 endfunction()
 
-# Reads what nearly every file of a library includes once. Not behind a launcher: ccache, as it is set up
-# by itself, keeps nothing that was compiled so.
+# Reads what nearly every file of a target includes once, and more headers that are named. Not behind a
+# launcher: ccache, as it is set up by itself, keeps nothing that was compiled so.
 function(openltc_precompile target)
   if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     target_precompile_headers(${target} PRIVATE
-      <algorithm> <cmath> <span> <string> <vector> <fmt/format.h>)
+      <algorithm> <cmath> <span> <string> <vector> <fmt/format.h> ${ARGN})
+  endif()
+endfunction()
+
+# The same in the build of quick tests, whose files are to show what they lack: only a header of others that all of
+# them read anyway.
+function(openltc_precompile_quick target)
+  if(OPENLTC_QUICK_TESTS AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
 endfunction()

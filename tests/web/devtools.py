@@ -26,15 +26,14 @@ k_keys = {"Tab": (9, ""), "Enter": (13, "\r"), "Escape": (27, ""), "Backspace": 
           "ArrowRight": (39, ""), "ArrowDown": (40, ""), " ": (32, " "), ".": (190, "."), "-": (189, "-")}
 
 
-def app_arguments(page, build=None):
-    """The words of a test of web/app, and the browser's program; where that or `page` is missing, it skips. With `build`,
-    which makes the page and returns its folder, there may be none yet; a test may be short."""
+def app_arguments(page, build):
+    """The words of a test of web/app, and the browser's program; where that or `page` is missing, it skips. `build` makes
+    the page where there is none yet, and returns its folder; a test may be short."""
     parser = argparse.ArgumentParser()
     for name in ("openltc", "work"):
         parser.add_argument("--" + name, required=True)
-    parser.add_argument("--app", required=build is None)
-    if build:
-        parser.add_argument("--short", action="store_true")
+    parser.add_argument("--app")
+    parser.add_argument("--short", action="store_true")
     arguments = parser.parse_args()
     program = browser.find()
     if not program:

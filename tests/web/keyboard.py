@@ -4,10 +4,10 @@
 """Uses the laboratory of web/app by the keys alone, which the browser is given as a keyboard gives them, and counts
 what the page keeps over many fits.
 
-    keyboard.py --openltc PROGRAM --app FOLDER --work DIR
+    keyboard.py --openltc PROGRAM [--app FOLDER] --work DIR [--short]
 
-FOLDER is what `make web` makes. Exit code 0: all is well; 1: it is not; 77:
-nothing could run, and why."""
+FOLDER is what `make web` makes; without it the page is made below DIR, of the fitter that `make test` makes. --short:
+on a small page, without the count. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
 
 import glob
 import json
@@ -17,11 +17,13 @@ import subprocess
 import sys
 
 k_here = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, k_here)
+sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity"), os.path.join(os.path.dirname(k_here), "engines"), k_here]
+from app_pages import build_laboratory
 from devtools import Page, Server, app_arguments
 
-k_refits, k_warm, k_part = 200, 40, 20
-# By how much JavaScript's heap may be larger after those fits than after the first of them, bytes.
+k_refits, k_part = 200, 20
+k_small = (360, 640) # a phone: a picture of few pixels, since a processor draws it each time
+# By how much JavaScript's heap may be larger after those fits than after the first two parts of them, bytes.
 k_heap = 1.5e6
 k_most_stops = 60
 k_lambert = "function brdf(wo, wi, roughness, f) {\nf.fill(1 / Math.PI);\n}\n"
@@ -194,6 +196,7 @@ def kept(page):
 
 def refit_often(page, address):
     page.open("about:blank")
+    page.resize(*k_small)
     page.open(address + "index.html")
     settle(page, "the page")
     for identity, value, what in (("brdf", "ggx", "GGX"), ("size", "16", "few nodes")):
@@ -209,13 +212,13 @@ def refit_often(page, address):
     while (!$('status').textContent.includes('up to date')) await new Promise(done => setTimeout(done, 5));
   }
 })()""" % k_part
-    kept_after = {}
-    for done in range(k_part, k_warm + k_refits + 1, k_part):
+    kept_after, warm = {}, 2 * k_part
+    for done in range(k_part, warm + k_refits + 1, k_part):
         page.evaluate(refit, 600)
-        if done in (k_warm, k_warm + k_refits):
+        if done in (warm, warm + k_refits):
             page.evaluate("new Promise(done => setTimeout(done, 1500))") # the smooth picture and the figures
             kept_after[done] = kept(page)
-    before, after = kept_after[k_warm], kept_after[k_warm + k_refits]
+    before, after = kept_after[warm], kept_after[warm + k_refits]
     print("%d refits of the page: JavaScript %.2f and %.2f MB, nodes %d and %d, listeners %d and %d" % (
         k_refits, before[0] / 1e6, after[0] / 1e6, before[1], after[1], before[2], after[2]))
     check(after[0] - before[0] < k_heap, "JavaScript's heap does not grow")
@@ -223,15 +226,16 @@ def refit_often(page, address):
 
 
 def main():
-    arguments, program = app_arguments("index.html")
+    arguments, program = app_arguments("index.html", build_laboratory)
     work = os.path.abspath(arguments.work)
     for old in glob.glob(os.path.join(work, "mine*")):
         os.remove(old)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1)) # not without the browser
-    server, page = Server(os.path.abspath(arguments.app)), Page(program, (1320, 900))
+    server, page = Server(os.path.abspath(arguments.app)), Page(program, k_small if arguments.short else (1320, 900))
     try:
         use(page, server.address, os.path.abspath(arguments.openltc), work)
-        refit_often(page, server.address)
+        if not arguments.short:
+            refit_often(page, server.address)
         for error in page.errors():
             check(False, "the page's console: " + error)
     finally:

@@ -5,7 +5,8 @@
 
     lab.py --openltc PROGRAM [--app FOLDER] --work DIR
 
-FOLDER is what `make web` makes; without it the page is made below DIR, of the fitter that `make web` has made. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
+FOLDER is what `make web` makes; without it the page is made below DIR, of the fitter that
+`make test` makes. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
 
 import json
 import os
@@ -16,7 +17,7 @@ import zipfile
 k_here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity"), os.path.join(os.path.dirname(k_here), "engines"), k_here]
 import browser
-from app_pages import build_laboratory
+from app_pages import build_laboratory, size_of_laboratory
 from devtools import app_arguments
 from openltc import write_merl
 
@@ -56,6 +57,9 @@ def inspect(openltc, path, words):
 
 def main():
     arguments, program = app_arguments("index.html", build_laboratory)
+    page_bytes = size_of_laboratory(arguments.app)
+    print("the page: %.0f KiB by gzip" % (page_bytes / 1024))
+    check(page_bytes < 450 * 1024, "the page is small")
     write_merl(os.path.join(arguments.work, "made.binary"))
     found = browser.run(program, os.path.join(k_here, "lab.html"), arguments.work, [], root=os.path.abspath(arguments.app),
                         timeout=400)

@@ -4,18 +4,19 @@
 """Sends rays to two meshes of 9,600 triangles by the package's texture of triangles, on both back ends of WebGPURenderer,
 and asks what three-mesh-bvh says on the processor: whether a ray meets them, and how far it gets.
 
-    rays.py --web FOLDER --work DIR
+    rays.py --openltc PROGRAM [--web FOLDER] --work DIR
 
-FOLDER is what `make web` makes. Exit code 0: the answers are the same; 1: they are not; 77: nothing could run, and why."""
+FOLDER is what `make web` makes; without it the package is made below DIR. Exit code 0: the answers are the same; 1: they are not; 77: nothing could run, and why."""
 
 import argparse
 import os
 import sys
 
 k_here = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity")]
+sys.path[:0] = [os.path.join(os.path.dirname(k_here), "parity"), os.path.join(os.path.dirname(k_here), "engines"), k_here]
 import browser
-from openltc import skip
+from app_pages import build_packages
+from engines import skip
 
 # Rays of 16,384 whose answer is another, at the mesh's outline. Measured: 0.
 k_others = 20
@@ -23,15 +24,17 @@ k_others = 20
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--web", required=True)
+    parser.add_argument("--openltc", required=True)
+    parser.add_argument("--web")
     parser.add_argument("--work", required=True)
     arguments = parser.parse_args()
     program = browser.find()
     if not program:
         skip("chromium not found (package chromium)")
     os.makedirs(arguments.work, exist_ok=True)
+    web = arguments.web or build_packages(arguments.openltc, os.path.abspath(arguments.work))
     answers = browser.run(program, os.path.join(k_here, "rays.html"), arguments.work, [],
-                          root=os.path.abspath(arguments.web), timeout=400)
+                          root=os.path.abspath(web), timeout=400)
     failed = "done" not in answers
     for name, facts in answers.items():
         if "failed" in facts:

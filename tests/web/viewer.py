@@ -7,7 +7,7 @@ with that of `openltc render`.
     viewer.py --openltc PROGRAM [--app FOLDER] --work DIR [--short]
 
 All of it by WebGL 2; what a renderer does by WebGPU once more. FOLDER is what `make web` makes; without it the page
-is built below DIR. --short: what takes a minute: no rays, no compressed files, few loads, no `openltc view`. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
+is built below DIR. --short: what takes a minute: no rays, few loads, no `openltc view`. Exit code 0: all is well; 1: it is not; 77: nothing could run, and why."""
 
 import base64
 import json
@@ -21,7 +21,7 @@ k_here = os.path.dirname(os.path.abspath(__file__))
 k_root = os.path.dirname(os.path.dirname(k_here))
 sys.path[:0] = [k_here, os.path.join(k_root, "tests", "parity"), os.path.join(k_root, "tests", "engines"),
                 os.path.join(k_root, "tools"), os.path.join(k_root, "tools", "npm")]
-from app_pages import build_viewer, size_of
+from app_pages import build_viewer, size_of_viewer
 from bad_files import bad_files
 from devtools import Page, Server, app_arguments
 from engines import read_exr, run
@@ -346,7 +346,7 @@ def main():
     work = os.path.abspath(arguments.work)
     write_scene("rect", k_scenes["rect"], work + "/rect.glb", True)
     write_scene("rect", [], work + "/dark.glb", True)
-    page_bytes, more = size_of(arguments.app)
+    page_bytes, more = size_of_viewer(arguments.app)
     print("the page: %.0f KiB by gzip; decoders that some scenes need: %.0f KiB" % (page_bytes / 1024, more / 1024))
     check(page_bytes < 450 * 1024, "the page is small")
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1)) # not without the browser
@@ -362,8 +362,7 @@ def main():
                 graphics, page.evaluate("document.documentElement.dataset.firstPicture"), *k_size), flush=True)
             check(page.evaluate("viewer.pictures.lights.length") == 4, "the demo has its lights")
             if graphics == "WebGL 2":
-                if not arguments.short:
-                    step_compressed(page)
+                step_compressed(page)
                 step_files(page, work)
                 step_keys(page)
                 step_drag(page)

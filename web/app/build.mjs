@@ -3,9 +3,9 @@
 //
 // Makes the laboratory: static files, for any server of files.
 //
-//   node web/app/build.mjs OPENLTC PACKAGE FOLDER
+//   node web/app/build.mjs OPENLTC MODULE FOLDER
 //
-// OPENLTC is the tool, which writes the shaders, PACKAGE what web/wasm/build.mjs made. build_viewer.mjs adds the viewer.
+// OPENLTC is the tool, which writes the shaders, MODULE the fitter, openltc.wasm. build_viewer.mjs adds the viewer.
 
 import {execFileSync} from 'node:child_process';
 import {cpSync, mkdirSync, mkdtempSync, readdirSync, rmSync} from 'node:fs';
@@ -14,9 +14,9 @@ import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {languages} from './downloads.js';
 
-const [openltc, packageFolder, folder] = process.argv.slice(2);
+const [openltc, module, folder] = process.argv.slice(2);
 if (!folder) {
-  console.error('usage: node build.mjs OPENLTC PACKAGE FOLDER');
+  console.error('usage: node build.mjs OPENLTC MODULE FOLDER');
   process.exit(2);
 }
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -25,8 +25,9 @@ mkdirSync(join(folder, 'shaders'), {recursive: true});
 for (const name of readdirSync(here))
   if (/\.(js|html|css)$/.test(name)) cpSync(join(here, name), join(folder, name));
 mkdirSync(join(folder, 'openltc'));
-for (const name of ['index.js', 'lights.js', 'module.js', 'openltc.wasm', 'LICENSE'])
-  cpSync(join(packageFolder, name), join(folder, 'openltc', name));
+for (const name of ['index.js', 'lights.js', 'module.js']) cpSync(join(here, '../wasm', name), join(folder, 'openltc', name));
+cpSync(module, join(folder, 'openltc/openltc.wasm'));
+cpSync(join(here, '../../LICENSE'), join(folder, 'openltc/LICENSE'));
 for (const language in languages)
   for (const lobe of ['table', 'two-lobe']) {
     const made = mkdtempSync(join(tmpdir(), 'openltc-app-'));

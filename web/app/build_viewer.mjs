@@ -12,6 +12,7 @@ import {cpSync, mkdirSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
+import {pack, unpack} from './viewer/table_bytes.js';
 
 const [out] = process.argv.slice(2).map(folder => resolve(folder));
 if (!out) {
@@ -39,8 +40,9 @@ await build({
 // The tables of three.js's own area lights, as halves.
 const {RectAreaLightTexturesLib} = await import(join(modules, 'three/examples/jsm/lights/RectAreaLightTexturesLib.js'));
 RectAreaLightTexturesLib.init();
-writeFileSync(join(folder, 'viewer/their_tables.bin'), Buffer.concat(
-    ['LTC_HALF_1', 'LTC_HALF_2'].map(name => Buffer.from(RectAreaLightTexturesLib[name].image.data.buffer))));
+const halves = ['LTC_HALF_1', 'LTC_HALF_2'].flatMap(name => [...RectAreaLightTexturesLib[name].image.data]), packed = pack(halves, 64);
+if (String(unpack(packed, 64)) !== String(halves)) throw new Error("three.js's tables are not those of 64 x 64 texels that the viewer reads");
+writeFileSync(join(folder, 'viewer/their_tables.bin'), packed);
 mkdirSync(join(folder, 'decoders'));
 for (const name of ['draco_decoder.wasm', 'draco_wasm_wrapper.js'])
   cpSync(join(libraries, 'draco/gltf', name), join(folder, 'decoders/draco', name));

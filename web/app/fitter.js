@@ -20,6 +20,7 @@ export class Fitter {
   #waiting = new Map();
   #timer = 0;
   #ready = false; // the worker has loaded
+  #strange = false; // what was fitted last is a function of the reader's, which may never end
 
   /// Fetches the module once for all workers.
   static async load() {
@@ -31,7 +32,8 @@ export class Fitter {
     return fitter;
   }
 
-  get busy() { return this.#waiting.size > 0; }
+  /// Whether something is under way that another fit cannot wait for: all but figures of a BRDF of ours.
+  get busy() { return [...this.#waiting.values()].some(({isFigure}) => !isFigure || this.#strange); }
 
   /// Asks the worker; `onProgress` hears of a fit's share.
   call(call, more = {}, onProgress = () => {}) {
@@ -39,8 +41,9 @@ export class Fitter {
     const id = ++this.#last;
     return new Promise((done, fail) => {
       // A function of the reader's may be called; all else comes to an end.
-      const watched = more.options?.brdf?.text !== undefined || call === 'cells' || call === 'polygon';
-      this.#waiting.set(id, {done, fail, onProgress, watched});
+      const isFigure = call === 'cells' || call === 'polygon', strange = more.options?.brdf?.text !== undefined;
+      if (call === 'fit') this.#strange = strange;
+      this.#waiting.set(id, {done, fail, onProgress, isFigure, watched: isFigure || strange});
       this.#worker.postMessage({id, call, ...more});
       this.#watch();
     });

@@ -158,10 +158,11 @@ async function drawFigures() {
     const {roughness, thetaDegrees, light} = state, mine = latest;
     try {
       const [cell] = await fitter.call('cells', {options: {roughness: [roughness], thetaDegrees: [thetaDegrees], side: 128}});
+      if (mine !== latest) continue;
       showCell(cell);
       const polygon = await fitter.call('polygon', {options: {roughness, thetaDegrees, corners: cornersOf(light), samples: 400}})
           .catch((error) => ({failed: error}));
-      if (mine !== latest) break;
+      if (mine !== latest) continue;
       showPolygon(polygon);
     } catch (error) {
       if (!error.cancelled && mine === latest) complain(error.message);

@@ -4,10 +4,7 @@
 // A glTF file becomes a scene, or one sentence that says why not.
 
 import {LoadingManager} from 'three';
-import {DRACOLoader} from 'three/addons/loaders/DRACOLoader.js';
 import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
-import {KTX2Loader} from 'three/addons/loaders/KTX2Loader.js';
-import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
 import {GLTFAreaLights} from 'openltc-three';
 
 /// Bytes of a file; what three.js makes of one takes several times as many.
@@ -22,6 +19,7 @@ const readExtensions = new Set([
   'KHR_materials_iridescence', 'KHR_materials_sheen', 'KHR_materials_specular', 'KHR_materials_transmission',
   'KHR_materials_unlit', 'KHR_materials_volume', 'KHR_mesh_quantization', 'KHR_meshopt_compression',
   'KHR_texture_basisu', 'KHR_texture_transform']);
+const decodedExtensions = ['EXT_meshopt_compression', 'KHR_draco_mesh_compression', 'KHR_meshopt_compression', 'KHR_texture_basisu'];
 const size = bytes => `${(bytes / 2 ** 20).toFixed(0)} MB`;
 
 /// The document of a .glb or .gltf file of `bytes`, an ArrayBuffer. Throws an Error whose message is for the reader.
@@ -60,8 +58,11 @@ export function checkDocument(json, name) {
 export class SceneReader {
   constructor(renderer, folder) {
     this.manager = new LoadingManager();
-    this.draco = new DRACOLoader(this.manager).setDecoderPath(`${folder}draco/`);
-    this.ktx2 = new KTX2Loader(this.manager).setTranscoderPath(`${folder}basis/`).detectSupport(renderer);
+    this.loadDecoders = async () => {
+      const {Decoders} = await import('./decoders.js');
+      this.decoders ??= new Decoders(this.manager, renderer, folder);
+      return this.decoders;
+    };
   }
 
   /// The file as GLTFLoader gives it, and `warnings`: what of it is not shown. `path` is where other files are.
@@ -72,8 +73,8 @@ export class SceneReader {
     if (uris.length && !path)
       throw new Error(`${name} names other files (${uris[0]}${uris.length > 1 ? ', …' : ''}), which a page cannot open; pack them into a .glb`);
     this.manager.onError = url => warnings.push(`${url.startsWith('blob:') ? 'a picture' : url.split('/').pop()} cannot be read`);
-    const loader = new GLTFLoader(this.manager).setDRACOLoader(this.draco).setKTX2Loader(this.ktx2)
-        .setMeshoptDecoder(MeshoptDecoder).register(parser => new GLTFAreaLights(parser));
+    const loader = new GLTFLoader(this.manager).register(parser => new GLTFAreaLights(parser));
+    if (decodedExtensions.some(extension => json.extensionsUsed?.includes(extension))) (await this.loadDecoders()).serve(loader);
     const {warn} = console; // by which the plugin says what it leaves out
     console.warn = (...words) => {
       if (String(words[0]).startsWith('openltc-three: ')) warnings.push(String(words[0]).slice(15));

@@ -4,9 +4,11 @@
 // three.js's own area lights in place of ours, as far as it has any.
 
 import {DataTexture, HalfFloatType, LinearFilter, Matrix4, RectAreaLight, RectAreaLightNode, RGBAFormat} from 'three';
+import {unpack} from './table_bytes.js';
 
-// three.js's tables, as build_viewer.mjs has packed them: text of RectAreaLightTexturesLib is twice as long.
-const halves = new Uint16Array(await (await fetch(new URL('viewer/their_tables.bin', document.baseURI))).arrayBuffer());
+// three.js's tables, as build_viewer.mjs has packed them: text of RectAreaLightTexturesLib is several times as long.
+const packed = await (await fetch(new URL('viewer/their_tables.bin', document.baseURI))).arrayBuffer();
+const halves = unpack(new Uint8Array(packed), 64);
 const tables = [0, 1].map(k => {
   const texture = new DataTexture(halves.subarray(k * halves.length / 2, (k + 1) * halves.length / 2), 64, 64, RGBAFormat, HalfFloatType);
   texture.minFilter = texture.magFilter = LinearFilter;

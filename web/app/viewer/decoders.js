@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The OpenLTC authors
+// SPDX-License-Identifier: MIT
+//
+// Decoders of compressed meshes and pictures, fetched with the first file that needs one.
+
+import {DRACOLoader} from 'three/addons/loaders/DRACOLoader.js';
+import {KTX2Loader} from 'three/addons/loaders/KTX2Loader.js';
+import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
+
+/// What GLTFLoader asks, with the WebAssembly of Draco and Basis from `folder`.
+export class Decoders {
+  constructor(manager, renderer, folder) {
+    this.draco = new DRACOLoader(manager).setDecoderPath(`${folder}draco/`);
+    this.ktx2 = new KTX2Loader(manager).setTranscoderPath(`${folder}basis/`).detectSupport(renderer);
+  }
+
+  serve(loader) {
+    return loader.setDRACOLoader(this.draco).setKTX2Loader(this.ktx2).setMeshoptDecoder(MeshoptDecoder);
+  }
+}
