@@ -5,7 +5,7 @@
 // chosen by the bound, and what the choice changed in the picture beside what it may.
 //
 //   bench_many_lights [LIGHTS...]   numbers of lights, the first of which the others are compared
-//   to; --two-lobes takes the table of two lobes, --ratio or --exact that form of specular light
+//   to; --two-lobes takes the table of two lobes, --lobe, --ratio or --exact that form of specular light
 //   bench_many_lights --facets [FACETS...]   a glowing mesh of so many facets, each a light: time
 //   and error of both integrators against 128 samples of the reference
 
@@ -182,6 +182,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]) == "--facets") of_facets = true;
     if (std::string_view(argv[i]) == "--two-lobes") lobes = &table::builtin_ggx_two_lobe_table();
+    if (std::string_view(argv[i]) == "--lobe") form = render::SpecularForm::lobe;
     if (std::string_view(argv[i]) == "--ratio") form = render::SpecularForm::ratio;
     if (std::string_view(argv[i]) == "--exact") form = render::SpecularForm::exact;
     if (argv[i][0] != '-') counts.push_back(std::max(std::atoi(argv[i]), 1));
