@@ -5,7 +5,7 @@
 // chosen by the bound, and what the choice changed in the picture beside what it may.
 //
 //   bench_many_lights [LIGHTS...]   numbers of lights, the first of which the others are compared
-//   to; --two-lobes takes the table of two lobes, --lobe, --ratio or --exact that form of specular light
+//   to; --two-lobes takes the table of two lobes, --lobe, --ratio or --exact that form of light
 //   bench_many_lights --facets [FACETS...]   a glowing mesh of so many facets, each a light: time
 //   and error of both integrators against 128 samples of the reference
 

@@ -259,6 +259,27 @@ inline PackedPolygon pack_polygon(const std::vector<Vec3f>& vertices,
   return packed;
 }
 
+/// The elements of a polygon that the files of `openltc shaders` read, "polygon data" there: 8 +
+/// point_count vectors of four floats, world space, metres. Without points it is a polygon that
+/// lights nothing.
+inline std::vector<float> polygon_elements(const PolygonView& polygon) {
+  std::vector<float> elements;
+  elements.reserve(4 * std::size_t(8 + polygon.point_count));
+  const auto add = [&](const float(&v)[3], float w) {
+    elements.insert(elements.end(), {v[0], v[1], v[2], w});
+  };
+  elements = {float(polygon.point_count), polygon.two_sided ? 1.0f : 0.0f, polygon.area, 0.0f};
+  add(polygon.origin, 0);
+  add(polygon.axis_u, 0);
+  add(polygon.axis_v, 0);
+  add(polygon.normal, 0);
+  add(polygon.centroid, polygon.radius);
+  add(polygon.spread_u, 0);
+  add(polygon.spread_v, 0);
+  elements.insert(elements.end(), polygon.points, polygon.points + 4 * polygon.point_count);
+  return elements;
+}
+
 /// @}
 
 } // namespace openltc

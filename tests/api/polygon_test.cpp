@@ -7,6 +7,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -93,4 +96,42 @@ TEST_CASE("outlines_that_cannot_be_shaded_are_dark_and_say_why") {
   CHECK(error_of({{{0, 0, 0}, {4, 0, 0}, {1, 2, 0}, {3, 2, 0}}}).find("cross") !=
         std::string::npos);
   CHECK(Polygon().error() != nullptr);
+}
+
+TEST_CASE("shader_files_get_the_elements_that_they_describe") {
+  // A board of 4 x 2 m with a hole of 2 x 1 m in its middle, at a height of 3 m, facing up.
+  const std::vector<std::vector<Vec3f>> rings = {
+      {{-2, 3, 1}, {2, 3, 1}, {2, 3, -1}, {-2, 3, -1}},
+      {{-1, 3, 0.5f}, {-1, 3, -0.5f}, {1, 3, -0.5f}, {1, 3, 0.5f}}};
+  const Polygon board = Polygon::from_rings(rings, true);
+  REQUIRE(board.usable());
+  const std::vector<float> elements = polygon_elements(board.view());
+  REQUIRE(elements.size() == 4 * (8 + 10));
+  const auto element = [&](std::size_t i) {
+    return std::array<float, 4>{elements[4 * i], elements[4 * i + 1], elements[4 * i + 2],
+                                elements[4 * i + 3]};
+  };
+  CHECK(element(0)[0] == 10);
+  CHECK(element(0)[1] == 1);
+  CHECK(double(element(0)[2]) == doctest::Approx(6));
+  CHECK(element(1)[1] == 3); // in its plane
+  CHECK(element(4) == std::array<float, 4>{0, 1, 0, 0});
+  const std::array<float, 4> middle = element(5);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(double(middle[i]) == doctest::Approx(i == 1 ? 3 : 0).epsilon(1e-5));
+  CHECK(double(middle[3]) == doctest::Approx(std::sqrt(5.0)));
+  // Variances of the area: along x (8 * 16 / 12 - 2 * 4 / 12) / 6 = 5 / 3, across
+  // (8 * 4 / 12 - 2 / 12) / 6 = 5 / 12; the spreads are the roots of twice those.
+  CHECK(double(std::abs(element(6)[0])) == doctest::Approx(std::sqrt(10.0 / 3)));
+  CHECK(double(std::abs(element(7)[2])) == doctest::Approx(std::sqrt(5.0 / 6)));
+  for (std::size_t i = 0; i < 10; ++i) {
+    CAPTURE(i);
+    const Vec3f corner = rings[i / 5][i % 5 % 4]; // each ring ends with its first point
+    CHECK(element(8 + i) ==
+          std::array<float, 4>{corner.x, corner.y, corner.z, i % 5 == 0 ? 1.0f : 0.0f});
+  }
+  // Without points all that is read of a polygon is that it has none.
+  const std::vector<float> none = polygon_elements(PolygonView{});
+  CHECK(none.size() == 4 * 8);
+  CHECK(none[0] == 0);
 }

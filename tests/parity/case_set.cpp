@@ -67,20 +67,6 @@ std::unique_ptr<const PackedPolygon> packed(const Parallelogram& quad, bool two_
                    to_float(n / std::sqrt(length2)), two_sided));
 }
 
-// A polygon's elements; see openltc/shaders/dialect/polygon_data.glsl.
-void add_elements(const PolygonView& v, std::vector<float>& to) {
-  to.insert(to.end(), {float(v.point_count), v.two_sided ? 1.0f : 0.0f, v.area, 0});
-  const auto add = [&](const float* p, float w) { to.insert(to.end(), {p[0], p[1], p[2], w}); };
-  add(v.origin, 0);
-  add(v.axis_u, 0);
-  add(v.axis_v, 0);
-  add(v.normal, 0);
-  add(v.centroid, v.radius);
-  add(v.spread_u, 0);
-  add(v.spread_v, 0);
-  to.insert(to.end(), v.points, v.points + 4 * v.point_count);
-}
-
 // Turned from the shading normal, unless the eye would see its back. Half are not: what lanes have
 // in common with a neighbour that is, must not change them.
 Vec3f triangle_normal(const LightCase& light, Random& random) {
@@ -134,7 +120,8 @@ CaseSet make_cases(CaseShape shape) {
       set.outlines.push_back(lights[0].polygon);
       set.polygons.push_back(lights[0].polygon->view());
       extra = float(set.elements.size() / 4);
-      add_elements(set.polygons.back(), set.elements);
+      const std::vector<float> elements = polygon_elements(set.polygons.back());
+      set.elements.insert(set.elements.end(), elements.begin(), elements.end());
     } else if (shape == CaseShape::tube) {
       extra = float(int(light_shape) - int(LightShape::tube_open));
     }

@@ -20,22 +20,6 @@ Vec3d unit(Vec3d v) { return v * (1.0 / std::sqrt(dot(v, v))); }
 
 namespace {
 
-// A polygon's elements as the shader files want them.
-std::vector<float> elements_of(const PackedPolygon& packed) {
-  const PolygonView& v = packed.view;
-  std::vector<float> out = {float(v.point_count), v.two_sided ? 1.0f : 0.0f, v.area, 0.0f};
-  const auto add = [&](const float* p, float w) { out.insert(out.end(), {p[0], p[1], p[2], w}); };
-  add(v.origin, 0);
-  add(v.axis_u, 0);
-  add(v.axis_v, 0);
-  add(v.normal, 0);
-  add(v.centroid, v.radius);
-  add(v.spread_u, 0);
-  add(v.spread_v, 0);
-  out.insert(out.end(), packed.points.begin(), packed.points.end());
-  return out;
-}
-
 // A frame, and a light of about `size` at `place`.
 void place_light(Random& random, LightSample& sample, Vec3d place, double size) {
   metal_run::Case& at = sample.at;
@@ -67,7 +51,7 @@ void place_light(Random& random, LightSample& sample, Vec3d place, double size) 
     const Vec3d n = cross(u, v);
     sample.packed =
         pack_polygon(vertices, {6, 10}, Vec3f(float(n.x), float(n.y), float(n.z)), two_sided > 0);
-    sample.elements = elements_of(sample.packed);
+    sample.elements = polygon_elements(sample.packed.view);
     break;
   }
   case metal_run::k_disk:

@@ -22,19 +22,10 @@ struct Block {
   std::vector<float> numbers;
 
   void add(Vec3f v, float w = 0) { numbers.insert(numbers.end(), {v.x, v.y, v.z, w}); }
-  void add(const float (&v)[3], float w = 0) { add(Vec3f(v[0], v[1], v[2]), w); }
-
-  /// The elements of a polygon: "polygon data" in ltc_lights.glsl.
-  void add(const openltc::PolygonView& p) {
-    add(Vec3f(float(p.point_count), p.two_sided ? 1.0f : 0.0f, p.area));
-    add(p.origin);
-    add(p.axis_u);
-    add(p.axis_v);
-    add(p.normal);
-    add(p.centroid, p.radius);
-    add(p.spread_u);
-    add(p.spread_v);
-    numbers.insert(numbers.end(), p.points, p.points + 4 * p.point_count);
+  /// A polygon for ltc_shade_polygon.
+  void add(const openltc::PolygonView& polygon) {
+    const std::vector<float> elements = openltc::polygon_elements(polygon);
+    numbers.insert(numbers.end(), elements.begin(), elements.end());
   }
 };
 
