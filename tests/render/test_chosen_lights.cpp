@@ -139,3 +139,31 @@ TEST_CASE("a light error out of range is refused") {
         render::render(scene, scene.cameras.at(0), table::builtin_ggx_table(), options).ok());
   }
 }
+
+TEST_CASE("shadows of many lights are as quiet by the ratio and by GGX itself as by the lobe") {
+  const scene::Scene scene = room_of_lamps(120);
+  const auto noise = [&](render::SpecularForm form) {
+    render::RenderOptions options = small_picture();
+    options.samples = 1;
+    options.filter = render::PixelFilter::none;
+    options.specular_form = form;
+    options.shadow_samples = 16;
+    const render::Picture picture = rendered(scene, options);
+    options.shadow_samples = 512;
+    options.seed = 1;
+    const render::Picture truth = rendered(scene, options);
+    double sum = 0, difference = 0;
+    for (std::size_t i = 0; i < truth.radiance.data.size(); ++i) {
+      sum += double(truth.radiance.data[i]);
+      difference += std::abs(double(picture.radiance.data[i]) - double(truth.radiance.data[i]));
+    }
+    return difference / sum;
+  };
+  const double of_lobe = noise(render::SpecularForm::lobe);
+  const double of_ratio = noise(render::SpecularForm::ratio);
+  const double of_ggx = noise(render::SpecularForm::exact);
+  MESSAGE("noise of the lobe ", of_lobe, ", by the ratio ", of_ratio, ", of GGX ", of_ggx);
+  CHECK(of_lobe > 1e-4); // there are shadows
+  CHECK(of_ratio < 1.25 * of_lobe);
+  CHECK(of_ggx < 1.25 * of_lobe);
+}

@@ -319,7 +319,7 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
 
   const float stretch = batch.upper[k_bound_stretch], longest = batch.upper[k_bound_longest];
   const float inv_o4 = inv_o2 * inv_o2, inv_o5 = inv_o2 * inv_o3;
-  float all = 0, specular_left_out = 0;
+  float all = 0, likely = 0, specular_left_out = 0;
   struct {
     float diffuse = 0, specular = 0;
   } moments, plain; // the errors of both far forms
@@ -332,6 +332,7 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
     const float fresnel = std::max(batch.upper[k_bound_specular + c] + grazing * weight, 0.0f);
     const float lobe_light = std::min(flux * filled, radiance);
     all = std::max(all, diffuse + fresnel * lobe_light);
+    likely = std::max(likely, diffuse + fresnel * std::min(flux * density, radiance));
     specular_left_out = std::max(specular_left_out, fresnel * lobe_light);
     if (!far_diffuse) return;
 
@@ -369,6 +370,7 @@ LightBound bound_light(const PreparedBatch& prepared, const LightExtent& extent,
     return v < k_unbounded ? v : k_unbounded;
   };
   bound.all = limited(all * narrow);
+  bound.likely = limited(likely * narrow);
   bound.far_error = bound.plain_error = k_unbounded;
   if (!far_diffuse) return bound;
   bound.far_specular = far_specular && moments.specular < specular_left_out;

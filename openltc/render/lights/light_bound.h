@@ -14,6 +14,7 @@ namespace openltc::render {
 /// What can be said of the light of a group without shading it.
 struct LightBound {
   float all = 0;             ///< at least what any point reflects of it, in nits and any channel
+  float likely = 0;          ///< `all` where GGX is as large as its lobes: no bound
   float far_error = 0;       ///< at least the error, at any point, of the group's far form
   float plain_error = 0;     ///< the same of its far form without moments
   bool far_specular = false; ///< whether that form has a specular part; without one it errs less

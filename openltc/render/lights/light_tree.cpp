@@ -264,7 +264,7 @@ void LightTree::arrange(std::size_t most_exact, LightChoice& choice) const {
   // Of what a light may add, as much as reaches the points; a little for what may have been missed.
   const auto expected = [&](std::size_t i) {
     const LightChoice::Entry& e = choice.entries[i];
-    return double(e.bound.all) * (0.05 + 0.95 * double(e.reach));
+    return double(e.bound.likely) * (0.05 + 0.95 * double(e.reach));
   };
   std::vector<std::uint32_t>& own = choice.exact_entry;
   std::vector<std::uint32_t>& shared = choice.far_entry;
