@@ -288,6 +288,10 @@ def step_lost(page):
     page.until("viewer.isStill", "a picture")
     _, _, data = picture(page)
     check(sum(data) / len(data) > 8, "the picture comes back")
+    # Which textures it takes is asked of the new device.
+    drop(page, os.path.join(k_here, "compressed", "ktx2_uastc.glb"))
+    ready(page, "ktx2_uastc.glb")
+    check(page.evaluate("document.getElementById('message').hidden"), "a compressed file is read after a lost device")
 
 
 def step_memory(page, work, loads):

@@ -9,12 +9,13 @@ import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
 
 /// What GLTFLoader asks, with the WebAssembly of Draco and Basis from `folder`.
 export class Decoders {
-  constructor(manager, renderer, folder) {
+  constructor(manager, folder) {
     this.draco = new DRACOLoader(manager).setDecoderPath(`${folder}draco/`);
-    this.ktx2 = new KTX2Loader(manager).setTranscoderPath(`${folder}basis/`).detectSupport(renderer);
+    this.ktx2 = new KTX2Loader(manager).setTranscoderPath(`${folder}basis/`);
   }
 
-  serve(loader) {
-    return loader.setDRACOLoader(this.draco).setKTX2Loader(this.ktx2).setMeshoptDecoder(MeshoptDecoder);
+  /// `renderer`: the one that will draw, which says what textures it takes.
+  serve(loader, renderer) {
+    loader.setDRACOLoader(this.draco).setKTX2Loader(this.ktx2.detectSupport(renderer)).setMeshoptDecoder(MeshoptDecoder);
   }
 }

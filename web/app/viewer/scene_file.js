@@ -54,19 +54,16 @@ export function checkDocument(json, name) {
   if (vertices > mostVertices) throw new Error(`${name} is too large: ${vertices} vertices, and this page takes ${mostVertices}`);
 }
 
-/// Reads files for one renderer; decoders are fetched when a file needs them, from `folder`.
+/// Reads files; decoders are fetched when a file needs them, from `folder`.
 export class SceneReader {
-  constructor(renderer, folder) {
+  constructor(folder) {
+    this.folder = folder;
     this.manager = new LoadingManager();
-    this.loadDecoders = async () => {
-      const {Decoders} = await import('./decoders.js');
-      this.decoders ??= new Decoders(this.manager, renderer, folder);
-      return this.decoders;
-    };
   }
 
-  /// The file as GLTFLoader gives it, and `warnings`: what of it is not shown. `path` is where other files are.
-  async read(bytes, name, path = '') {
+  /// The file as GLTFLoader gives it, for `renderer`, and `warnings`: what of it is not shown. `path` is where other
+  /// files are.
+  async read(renderer, bytes, name, path = '') {
     const json = documentOf(bytes, name), warnings = [];
     checkDocument(json, name);
     const uris = [...(json.buffers ?? []), ...(json.images ?? [])].map(({uri}) => uri).filter(uri => uri && !uri.startsWith('data:'));
@@ -74,13 +71,17 @@ export class SceneReader {
       throw new Error(`${name} names other files (${uris[0]}${uris.length > 1 ? ', …' : ''}), which a page cannot open; pack them into a .glb`);
     this.manager.onError = url => warnings.push(`${url.startsWith('blob:') ? 'a picture' : url.split('/').pop()} cannot be read`);
     const loader = new GLTFLoader(this.manager).register(parser => new GLTFAreaLights(parser));
-    if (decodedExtensions.some(extension => json.extensionsUsed?.includes(extension))) (await this.loadDecoders()).serve(loader);
     const {warn} = console; // by which the plugin says what it leaves out
     console.warn = (...words) => {
       if (String(words[0]).startsWith('openltc-three: ')) warnings.push(String(words[0]).slice(15));
       else warn.apply(console, words);
     };
     try {
+      if (decodedExtensions.some(extension => json.extensionsUsed?.includes(extension))) {
+        const {Decoders} = await import('./decoders.js');
+        this.decoders ??= new Decoders(this.manager, this.folder);
+        this.decoders.serve(loader, renderer);
+      }
       const gltf = await loader.parseAsync(bytes, path);
       if (!gltf.scene) throw new Error('it has no scene');
       return {...gltf, warnings: [...new Set(warnings)]};

@@ -53,7 +53,7 @@ async function open(bytes, title, {path = '', keepsPlace = false} = {}) {
   complain('');
   say(`Reading ${title}`);
   try {
-    const gltf = await reader.read(bytes, title, path);
+    const gltf = await reader.read(stage.renderer, bytes, title, path);
     if (mine !== loading) return disposeOf(gltf.scene);
     show(gltf, title, keepsPlace);
   } catch (error) {
@@ -338,7 +338,7 @@ async function begin() {
     for (const control of document.querySelectorAll('main button, main select, main input')) control.disabled = true;
     return;
   }
-  reader = new SceneReader(stage.renderer, new URL('decoders/', document.baseURI).href);
+  reader = new SceneReader(new URL('decoders/', document.baseURI).href);
   panel = new Panel($('list'), $('fields'), {chosen: choose, changed});
   listen();
   window.viewer = stage; // for consoles and tests
