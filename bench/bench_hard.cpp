@@ -37,7 +37,7 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::vector<std::string> tables = {"built-in", "two-lobe"};
-  std::vector<std::string> forms = {"lobe", "ratio", "exact"};
+  std::vector<std::string> forms = {"lobe", "ratio", "adaptive", "exact"};
   std::string size = "192x108";
   std::string folder = OPENLTC_SOURCE_DIR "/scenes/hard";
   std::string cache = OPENLTC_BUILD_DIR "/hard_references";
@@ -78,6 +78,7 @@ struct NamedForm {
 };
 const NamedForm k_forms[] = {{"lobe", "", render::SpecularForm::lobe},
                              {"ratio", ", ratio", render::SpecularForm::ratio},
+                             {"adaptive", " or GGX", render::SpecularForm::adaptive},
                              {"exact", "GGX itself", render::SpecularForm::exact}};
 
 /// The lobes of the table (or polynomial) of a file, in every form that was asked for.
@@ -349,8 +350,8 @@ int main(int argc, char** argv) {
                  "repeated [built-in and two-lobe]")
       ->allow_extra_args(false);
   app.add_option("--form", options.forms,
-                 "Form of the closed form: lobe, ratio or exact; may be repeated [all]")
-      ->check(CLI::IsMember({"lobe", "ratio", "exact"}))
+                 "Form of the closed form: lobe, ratio, adaptive or exact; may be repeated [all]")
+      ->check(CLI::IsMember({"lobe", "ratio", "adaptive", "exact"}))
       ->allow_extra_args(false);
   app.add_option("--size", options.size, "WIDTHxHEIGHT in pixels [192x108]");
   app.add_option("--folder", options.folder, "Where the scenes lie [scenes/hard]");

@@ -245,13 +245,24 @@ struct Quads {
   Work ratio;   ///< and the BRDF's ratio to the lobe there
   Work two;     ///< by two lobes
   Work two_ratio;
-  Work exact; ///< by GGX itself
+  Work exact;    ///< by GGX itself
+  Work adaptive; ///< by GGX itself where two lobes with the ratio err
 
   Quads(const char* n, const Work& work)
       : name(n), evenly(of_form(work, testing::ShadingForm::even)), fresnel(work),
         ratio(of_form(work, testing::ShadingForm::ratio)),
         two(of_form(work, testing::ShadingForm::two)),
         two_ratio(of_form(work, testing::ShadingForm::two_ratio)),
+        exact(of_form(work, testing::ShadingForm::exact)),
+        adaptive(of_form(work, testing::ShadingForm::adaptive)) {}
+};
+
+/// Lights of a shape, in the forms between which a renderer chooses.
+struct Shape {
+  Work lobe, two_ratio, exact;
+
+  explicit Shape(const Work& work)
+      : lobe(work), two_ratio(of_form(work, testing::ShadingForm::two_ratio)),
         exact(of_form(work, testing::ShadingForm::exact)) {}
 };
 
@@ -305,9 +316,9 @@ void compare_with_usual(const Keeper& keeper, const std::string& name, const Wor
 } // namespace
 
 int main(int argc, char** argv) {
-  std::vector<Work> shapes;
+  std::vector<Shape> shapes;
   for (int k = 0; k < testing::k_light_shapes; ++k)
-    shapes.push_back(random_work(testing::shape_of_index(k)));
+    shapes.emplace_back(random_work(testing::shape_of_index(k)));
   const Quads quads[] = {Quads("quad_above", quad_work(false)), Quads("quad_room", ceiling_lamp()),
                          Quads("quad_floor", wall_lamp()), Quads("quad_cut", quad_work(true))};
 
@@ -321,10 +332,16 @@ int main(int argc, char** argv) {
       add_benchmark(q.name + "_two_ratio" + suffix, run_target, std::cref(q.two_ratio),
                     target.shade);
       add_benchmark(q.name + "_exact" + suffix, run_target, std::cref(q.exact), target.shade);
+      add_benchmark(q.name + "_adaptive" + suffix, run_target, std::cref(q.adaptive), target.shade);
     }
-    for (int k = 0; k < testing::k_light_shapes; ++k)
-      add_benchmark(testing::shape_name(testing::shape_of_index(k)) + suffix, run_target,
-                    std::cref(shapes[std::size_t(k)]), target.shade);
+    for (int k = 0; k < testing::k_light_shapes; ++k) {
+      const Shape& shape = shapes[std::size_t(k)];
+      const std::string name = testing::shape_name(testing::shape_of_index(k));
+      add_benchmark(name + suffix, run_target, std::cref(shape.lobe), target.shade);
+      add_benchmark(name + "_two_ratio" + suffix, run_target, std::cref(shape.two_ratio),
+                    target.shade);
+      add_benchmark(name + "_exact" + suffix, run_target, std::cref(shape.exact), target.shade);
+    }
     for (const NamedPeak& p : k_peaks)
       if (p.name == std::string(target.name))
         benchmark::RegisterBenchmark(("peak" + suffix).c_str(), run_peak, p.peak)

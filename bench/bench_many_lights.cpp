@@ -5,7 +5,7 @@
 // chosen by the bound, and what the choice changed in the picture beside what it may.
 //
 //   bench_many_lights [LIGHTS...]   numbers of lights, the first of which the others are compared
-//   to; --two-lobes takes the table of two lobes, --lobe, --ratio or --exact that form of light
+//   to; --two-lobes takes the table of two lobes, --lobe, --ratio, --adaptive or --exact that form
 //   bench_many_lights --facets [FACETS...]   a glowing mesh of so many facets, each a light: time
 //   and error of both integrators against 128 samples of the reference
 
@@ -185,6 +185,7 @@ int main(int argc, char** argv) {
     if (std::string_view(argv[i]) == "--lobe") form = render::SpecularForm::lobe;
     if (std::string_view(argv[i]) == "--ratio") form = render::SpecularForm::ratio;
     if (std::string_view(argv[i]) == "--exact") form = render::SpecularForm::exact;
+    if (std::string_view(argv[i]) == "--adaptive") form = render::SpecularForm::adaptive;
     if (argv[i][0] != '-') counts.push_back(std::max(std::atoi(argv[i]), 1));
   }
   if (of_facets) {

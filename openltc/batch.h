@@ -95,6 +95,9 @@ struct BatchOptions {
   const char* kernel = "auto"; ///< or one of "scalar", "sse4", "avx2", "avx512", "neon"
   /// Area lights times the ratio of GGX to its lobe, see correct_at_mean in openltc/api/surface.h.
   bool correct_at_mean = false;
+  /// Instead: by GGX itself wherever it is worth its time, see make_adaptive there,
+  bool adaptive = false;
+  bool exact = false; ///< or everywhere, see make_exact
 };
 
 /// Radiance that each point reflects to its viewer from all lights together, without shadow, in

@@ -128,10 +128,11 @@ void add_plot_trade(CLI::App& plot, int& exit_code) {
   add_reading_options(*command, a.reading);
   command->footer(
       "One lobe and two, each by itself and times the BRDF's ratio to it in the light's mean\n"
-      "direction, and GGX itself. Every scene is rendered without shadows by each of them and by\n"
-      "the reference; the error is the sum of |picture - reference| over the reference's. The "
-      "time\n"
-      "is that of one more quad at a point. The numbers go to stdout as a table in Markdown; its\n"
+      "direction, two with GGX itself where they err, which openltc render takes, and GGX itself.\n"
+      "Every scene is rendered without shadows by each of them and by the reference; the error is\n"
+      "the sum of |picture - reference| over the reference's. The time is that of one more quad "
+      "at\n"
+      "a point. The numbers go to stdout as a table in Markdown; its\n"
       "last column is how much of the error may be the reference's noise: more --samples halve "
       "it.\n"
       "\n"

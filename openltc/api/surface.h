@@ -118,6 +118,20 @@ inline void correct_at_mean(Surface& surface) {
   if (surface.usable) surface.point = f32::correct_at_mean(surface.point);
 }
 
+/// Asks that the specular part of area lights be GGX itself instead of a fitted lobe: exact, for
+/// any roughness, for polygons, ellipses, spheres, tubes and lines; a polygon takes five to ten
+/// times as long (docs/method.md, section 11). Not for lobes that were fitted to another BRDF.
+inline void make_exact(Surface& surface) {
+  if (surface.usable) surface.point = f32::make_exact(surface.point);
+}
+
+/// The same, but polygons that the lobes with correct_at_mean give nearly as well are left to them:
+/// small ones, and all where the view does not graze the surface. What `openltc render` takes, with
+/// built_in_two_lobe_table().
+inline void make_adaptive(Surface& surface) {
+  if (surface.usable) surface.point = f32::make_adaptive(surface.point);
+}
+
 /// \name The BRDF itself
 ///
 /// Times the cosine at the surface: what a path tracer, or a reference, integrates. `wi` leads from

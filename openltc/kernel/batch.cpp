@@ -128,8 +128,9 @@ const char* shade_batch(const PointBatch& points, const BatchLights& lights, con
 
   const BatchLights::Packed& packed = lights.packed();
   kernel::KernelContext context;
-  context.specular_form =
-      options.correct_at_mean ? kernel::SpecularForm::ratio : kernel::SpecularForm::lobe;
+  if (options.correct_at_mean) context.specular_form = kernel::SpecularForm::ratio;
+  if (options.adaptive) context.specular_form = kernel::SpecularForm::adaptive;
+  if (options.exact) context.specular_form = kernel::SpecularForm::exact;
   context.table = lobes.table;
   context.polynomial = lobes.polynomial;
   context.area_lights = packed.area_lights.data();

@@ -22,11 +22,12 @@ struct TradeForm {
   SpecularForm specular;
 };
 
-inline constexpr std::array<TradeForm, 5> k_trade_forms = {{
+inline constexpr std::array<TradeForm, 6> k_trade_forms = {{
     {"one lobe", false, SpecularForm::lobe},
     {"one lobe, ratio", false, SpecularForm::ratio},
     {"two lobes", true, SpecularForm::lobe},
     {"two lobes, ratio", true, SpecularForm::ratio},
+    {"two lobes or GGX", true, SpecularForm::adaptive},
     {"GGX itself", false, SpecularForm::exact},
 }};
 

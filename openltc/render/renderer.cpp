@@ -282,8 +282,9 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
     return Error{fmt::format("these lobes were fitted to {}, and the ratio of the BRDF to its lobe "
                              "is that of {}: shade by the lobe alone",
                              lobes.brdf, k_ratio_brdf)};
-  if (options.specular_form == SpecularForm::exact && !lobes.brdf.empty() &&
-      lobes.brdf != k_ratio_brdf)
+  const bool by_ggx = options.specular_form == SpecularForm::exact ||
+                      options.specular_form == SpecularForm::adaptive;
+  if (by_ggx && !lobes.brdf.empty() && lobes.brdf != k_ratio_brdf)
     return Error{fmt::format("these lobes were fitted to {}, and exact specular light is that of "
                              "{}: shade by the lobe alone",
                              lobes.brdf, k_ratio_brdf)};
@@ -311,7 +312,7 @@ Result<Picture> render(const scene::Scene& scene, const scene::Camera& camera,
   context.punctual_form = options.punctual_form;
   const bool corrects = lobes.brdf == k_ratio_brdf && lights.area_lights.size() < k_many_lights;
   context.specular_form =
-      options.specular_form.value_or(corrects ? SpecularForm::ratio : SpecularForm::lobe);
+      options.specular_form.value_or(corrects ? SpecularForm::adaptive : SpecularForm::lobe);
   const bool reference = options.integrator == Integrator::reference;
   context.lobe_samples = options.lobe_samples;
   context.light_samples = context.brdf_samples = 1; // the LTC integrator has its own plan

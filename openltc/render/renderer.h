@@ -54,7 +54,7 @@ struct RenderOptions {
   /// every point.
   float light_error = 0.003f;
   PunctualForm punctual_form = PunctualForm::exact;
-  /// Of area lights, LTC; none: the ratio for lobes that were fitted to GGX and fewer area lights
+  /// Of area lights, LTC; none: adaptive for lobes that were fitted to GGX and fewer area lights
   /// than k_many_lights, else the lobe alone.
   std::optional<SpecularForm> specular_form;
   /// Renders these pixels alone: the same values that they have in the whole picture of width x

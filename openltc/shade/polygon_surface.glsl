@@ -197,10 +197,36 @@ FN LightIntegral polygon_integral_in_one_lane(Surface s, Polygon polygon) {
   return unless_in_plane(s, polygon_origin(polygon), polygon_normal(polygon), integral);
 }
 
+/// The integral over a polygon as an adaptive surface sees it: see exact_amount.
+FN LightIntegral adaptive_polygon_integral(Surface s, Polygon polygon) {
+  Vec3 center = to_shading(s.frame, polygon_centroid(polygon) - s.position);
+  Real amount = exact_amount(s, center, polygon_radius(polygon));
+  // Uniform shortcuts: all lanes are GGX itself, or none is.
+  if (all_lanes(amount >= Real(1.0))) {
+    return exact_polygon_integral(s, polygon);
+  }
+  LightIntegral lobes;
+  if (one_lane()) {
+    lobes = polygon_integral_in_one_lane(s, polygon);
+  } else if (triangle_may_cut(s, polygon)) {
+    lobes = cut_polygon_integral(s, polygon);
+  } else {
+    lobes = whole_polygon_integral(s, polygon);
+  }
+  lobes.weight = Real(-1.0);
+  if (any_lane(amount > Real(0.0))) {
+    return blend_exact(s, lobes, exact_polygon_integral(s, polygon), amount);
+  }
+  return lobes;
+}
+
 /// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
 /// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
 FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
   if (s.exact) {
+    if (s.adaptive) {
+      return adaptive_polygon_integral(s, polygon);
+    }
     return exact_polygon_integral(s, polygon);
   }
   if (one_lane()) {
@@ -222,7 +248,7 @@ FN ShadedLight shade_polygon_parts(Surface s, Polygon polygon) {
 /// these, each copies the surface, 3 % of a quad's instructions.
 FN Vec3 shade_polygon(Surface s, Polygon polygon) {
   if (s.exact) {
-    return both_parts(shade_integral(s, exact_polygon_integral(s, polygon)));
+    return both_parts(shade_integral(s, surface_polygon_integral(s, polygon)));
   }
   if (one_lane()) {
     return both_parts(shade_integral(s, polygon_integral_in_one_lane(s, polygon)));

@@ -42,6 +42,8 @@ struct Surface {
   Real max_ratio; ///< most that this may multiply a light by
   /// Whether the specular part of lights is GGX itself instead of the lobe: see exact/half_vector.glsl.
   bool exact;
+  /// Whether polygons are that only where the lobes with their ratio err: see exact_amount.
+  bool adaptive;
 };
 
 /// Schlick's weight at the microfacet that reflects wo, which has no y, into wi.
@@ -78,6 +80,7 @@ FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_w
   s.corrected = false;
   s.max_ratio = Real(1.0);
   s.exact = false;
+  s.adaptive = false;
   return s;
 }
 
@@ -115,6 +118,13 @@ FN Real filled_share(Surface s, LightIntegral integral) {
   return min(share, Real(1.0));
 }
 
+/// What an integral of GGX itself has for F = 1, 0..1: the table's n1, which it is given as a share of, is no bound
+/// of it.
+FN Real exact_light(Surface s, LightIntegral integral) {
+  Real share = integral.specular * s.inv_share + integral.second * s.second_inv_share;
+  return min(s.fitted.n1 * share, Real(1.0));
+}
+
 /// The integrals over a light with those of the second lobe, from an integral of that one as if it were
 /// the first. Mean direction and concentration are means, weighted by what each lobe has.
 FN LightIntegral with_second_lobe(Surface s, LightIntegral first, LightIntegral second) {
@@ -143,6 +153,14 @@ FN Surface correct_at_mean(Surface s) {
 FN Surface make_exact(Surface s) {
   s = correct_at_mean(s);
   s.exact = true;
+  return s;
+}
+
+/// Asks for GGX itself but of polygons that the lobes give nearly as well, times their ratio: small ones, and those
+/// of views that do not graze. Other shapes take no longer by GGX itself than by two lobes.
+FN Surface make_adaptive(Surface s) {
+  s = make_exact(s);
+  s.adaptive = true;
   return s;
 }
 
@@ -255,17 +273,25 @@ struct ShadedLight {
 /// Their sum.
 FN Vec3 both_parts(ShadedLight shaded) { return shaded.diffuse + shaded.specular; }
 
+/// What the n1 of a table may be off by, of itself: 5 % at 89 degrees from the normal.
+CONSTANT k_error_of_n1 = 0.06;
+
 /// Light of radiance 1 whose specular part has this weight of F90 over F0, and the share `filled` of n1; where the
 /// integral is that of GGX itself, its own.
 FN ShadedLight shade_filled(Surface s, LightIntegral integral, Real weight, Real filled) {
-  if (s.exact) {
-    Mask exact = integral.weight >= Real(0.0);
-    weight = select(exact, integral.weight, weight);
-    filled = select(exact, filled_share(s, integral), filled);
-  }
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   shaded.specular = reflectance_of_weight(s, weight, filled);
+  if (s.exact) {
+    // No more than the albedo with what the table's n1 may be off by, nor than the base leaves.
+    Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(integral.weight, Real(0.0)), Real(1.0));
+    Vec3 exact = fresnel * exact_light(s, integral);
+    Vec3 most = s.specular + s.f0 * (s.fitted.n1 * Real(k_error_of_n1));
+    exact = Vec3(min(exact.x, min(most.x, Real(1.0) - s.diffuse.x)),
+                 min(exact.y, min(most.y, Real(1.0) - s.diffuse.y)),
+                 min(exact.z, min(most.z, Real(1.0) - s.diffuse.z)));
+    shaded.specular = select(integral.weight >= Real(0.0), exact, shaded.specular);
+  }
   return shaded;
 }
 

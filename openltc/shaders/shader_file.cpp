@@ -277,7 +277,7 @@ Result<std::string> make_shader(const ShaderRequest& request) {
   std::vector<SourceFile>& files = *read;
 
   Facts facts;
-  facts.fields = {{"exact", false}, {"two", has_two(request.lobe)}};
+  facts.fields = {{"exact", false}, {"adaptive", false}, {"two", has_two(request.lobe)}};
   if (request.lean) facts.fields.insert({{"tilted", false}, {"corrected", false}});
   for (const SourceFile& file : files)
     note_integers(file, facts);

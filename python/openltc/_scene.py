@@ -95,7 +95,7 @@ class Scene:
         camera      a name or number of the file's, "auto", or an openltc.Camera
         lights      auto, scene, studio, both: whose lights; auto adds a studio rig where there are none
         lobes       auto, table, polynomial, two-lobe
-        specular    auto, lobe, ratio, exact
+        specular    auto, lobe, ratio, exact, adaptive
         filter      blackman-harris or none
         light_error what the choice of lights may err by, of what points reflect
         background_nits  a number or (r, g, b) where a ray meets nothing

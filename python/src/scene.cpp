@@ -166,7 +166,8 @@ Request request_of(nb::dict given) {
     o.specular_form = choice<render::SpecularForm>("specular", specular,
                                                    {{"lobe", render::SpecularForm::lobe},
                                                     {"ratio", render::SpecularForm::ratio},
-                                                    {"exact", render::SpecularForm::exact}});
+                                                    {"exact", render::SpecularForm::exact},
+                                                    {"adaptive", render::SpecularForm::adaptive}});
   o.filter = choice<render::PixelFilter>("filter", text("filter"),
                                          {{"blackman-harris", render::PixelFilter::blackman_harris},
                                           {"none", render::PixelFilter::none}});

@@ -176,9 +176,9 @@ TEST_CASE("correct_at_mean_makes_a_small_light_the_exact_brdf") {
   }
 }
 
-TEST_CASE("two_lobes_are_nearer_to_the_integral_of_the_brdf_than_one") {
+TEST_CASE("two_lobes_are_nearer_to_the_integral_of_the_brdf_than_one_and_ggx_itself_is_that") {
   // A metal floor seen from low down; lights before and beside the mirrored view.
-  double error[2] = {}, sum = 0;
+  double error[4] = {}, sum = 0;
   for (const float roughness : {0.2f, 0.35f, 0.5f})
     for (const float distance : {-6.0f, -4.0f, -2.0f, 1.0f}) {
       const Vec3f view(0, 0.2f, 1), center(0.3f, 0.6f, distance);
@@ -197,10 +197,18 @@ TEST_CASE("two_lobes_are_nearer_to_the_integral_of_the_brdf_than_one") {
         }
       error[0] += std::abs(double(shade(one, light).x) - truth);
       error[1] += std::abs(double(shade(two, light).x) - truth);
+      Surface adaptive = two, exact = one;
+      make_adaptive(adaptive);
+      make_exact(exact);
+      error[2] += std::abs(double(shade(adaptive, light).x) - truth);
+      error[3] += std::abs(double(shade(exact, light).x) - truth);
       sum += truth;
     }
-  MESSAGE("relative to all light: one lobe ", error[0] / sum, ", two ", error[1] / sum);
+  MESSAGE("relative to all light: one lobe ", error[0] / sum, ", two ", error[1] / sum,
+          ", adaptive ", error[2] / sum, ", exact ", error[3] / sum);
   CHECK(error[1] < 0.7 * error[0]);
+  CHECK(error[2] < 0.2 * error[0]);
+  CHECK(error[3] < 0.02 * error[0]);
 }
 
 TEST_CASE("lights_shine_to_their_own_side_and_two_sided_ones_to_both") {

@@ -65,8 +65,8 @@ TEST_CASE("plot_trade_has_the_errors_of_rendered_pictures") {
   REQUIRE(run.exit_code == 0);
   const std::vector<double> shown = row_of(run.out, "floor_star_60");
   const std::vector<double> times = row_of(run.out, "time of a quad");
-  REQUIRE(shown.size() == 6);
-  REQUIRE(times.size() == 5);
+  REQUIRE(shown.size() == 7);
+  REQUIRE(times.size() == 6);
   CHECK(times[0] == 1);
   for (const double time : times)
     CHECK(time > 0);
@@ -82,15 +82,15 @@ TEST_CASE("plot_trade_has_the_errors_of_rendered_pictures") {
     reference[i] = 0.5f * (reference[i] + other[i]);
     light += double(reference[i]);
   }
-  const char* lobes[] = {"table", "table", "two-lobe", "two-lobe", "table"};
-  const char* forms[] = {"lobe", "ratio", "lobe", "ratio", "exact"};
-  for (std::size_t i = 0; i < 5; ++i) {
+  const char* lobes[] = {"table", "table", "two-lobe", "two-lobe", "two-lobe", "table"};
+  const char* forms[] = {"lobe", "ratio", "lobe", "ratio", "adaptive", "exact"};
+  for (std::size_t i = 0; i < 6; ++i) {
     CAPTURE(forms[i]);
     const std::vector<float> picture =
         rendered(folder, {"--samples", "1", "--lobes", lobes[i], "--specular", forms[i]});
     CHECK(std::abs(shown[i] - 100 * sum_of_differences(picture, reference) / light) < 0.006);
   }
-  CHECK(std::abs(shown[5] - 100 * noise / light) < 0.006);
+  CHECK(std::abs(shown[6] - 100 * noise / light) < 0.006);
 }
 
 TEST_CASE("plot_trade_refuses_what_has_no_error") {

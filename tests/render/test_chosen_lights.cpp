@@ -64,7 +64,8 @@ TEST_CASE("no pixel of a picture of many lights errs more than was allowed, and 
   const scene::Scene scene = room_of_lamps(150);
   render::RenderOptions options = small_picture();
   for (const render::SpecularForm form :
-       {render::SpecularForm::lobe, render::SpecularForm::ratio, render::SpecularForm::exact}) {
+       {render::SpecularForm::lobe, render::SpecularForm::ratio, render::SpecularForm::exact,
+        render::SpecularForm::adaptive}) {
     options.specular_form = form;
     options.light_error = 0;
     const render::Picture all = rendered(scene, options);

@@ -158,9 +158,17 @@ TEST_CASE("two lobes come closer to the reference than one, in every kernel alik
     REQUIRE(picture.ok());
     return std::move(picture->radiance);
   };
-  const image::Image one = rendered(table::builtin_ggx_table(), still());
-  const image::Image two = rendered(table::builtin_ggx_two_lobe_table(), still());
-  const image::Image polynomial = rendered(table::builtin_ggx_two_lobe_polynomial(), still());
+  const auto by_form = [](render::SpecularForm form, const char* kernel = "auto") {
+    render::RenderOptions options = still(kernel);
+    options.specular_form = form;
+    return options;
+  };
+  const auto ratio = by_form(render::SpecularForm::ratio);
+  const image::Image one = rendered(table::builtin_ggx_table(), ratio);
+  const image::Image two = rendered(table::builtin_ggx_two_lobe_table(), ratio);
+  const image::Image polynomial = rendered(table::builtin_ggx_two_lobe_polynomial(), ratio);
+  const image::Image adaptive =
+      rendered(table::builtin_ggx_two_lobe_table(), by_form(render::SpecularForm::adaptive));
   render::RenderOptions reference = still();
   reference.integrator = render::Integrator::reference;
   reference.samples = 1024;
@@ -175,15 +183,20 @@ TEST_CASE("two lobes come closer to the reference than one, in every kernel alik
   CHECK(error(two) < 0.6 * error(one));
   MESSAGE("of the polynomial of two lobes ", error(polynomial) / error(one));
   CHECK(error(polynomial) < 0.7 * error(one)); // n1 is less exact than a table's
+  MESSAGE("by GGX itself where they err ", error(adaptive) / error(one));
+  CHECK(error(adaptive) < 0.2 * error(one));
   for (const char* name : {"scalar", "sse4", "avx2", "avx512", "neon"}) {
     if (!render::kernel_by_name(name).shade) continue;
-    const image::Image lanes = rendered(table::builtin_ggx_two_lobe_table(), still(name));
-    for (std::size_t i = 0; i < two.data.size(); ++i)
-      CHECK(std::abs(lanes.data[i] - two.data[i]) < 2e-3f * (std::abs(two.data[i]) + 0.05f));
-    const image::Image others = rendered(table::builtin_ggx_two_lobe_polynomial(), still(name));
-    for (std::size_t i = 0; i < two.data.size(); ++i)
-      CHECK(std::abs(others.data[i] - polynomial.data[i]) <
-            2e-3f * (std::abs(polynomial.data[i]) + 0.05f));
+    const auto check = [&](const render::LobeSource& lobes, render::SpecularForm form,
+                           const image::Image& expected) {
+      const image::Image lanes = rendered(lobes, by_form(form, name));
+      for (std::size_t i = 0; i < expected.data.size(); ++i)
+        CHECK(std::abs(lanes.data[i] - expected.data[i]) <
+              2e-3f * (std::abs(expected.data[i]) + 0.05f));
+    };
+    check(table::builtin_ggx_two_lobe_table(), render::SpecularForm::ratio, two);
+    check(table::builtin_ggx_two_lobe_table(), render::SpecularForm::adaptive, adaptive);
+    check(table::builtin_ggx_two_lobe_polynomial(), render::SpecularForm::ratio, polynomial);
   }
 }
 

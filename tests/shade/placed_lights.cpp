@@ -132,7 +132,8 @@ PlacedLight capsule(Placed at) {
 
 f64::Surface surface_of_form(LightForm form, double theta, double roughness, double f0,
                              double albedo) {
-  const bool two = form == LightForm::two_lobes || form == LightForm::two_lobes_ratio;
+  const bool two = form == LightForm::two_lobes || form == LightForm::two_lobes_ratio ||
+                   form == LightForm::adaptive;
   const LobeTableView table =
       two ? table::builtin_ggx_two_lobe_table().view() : table::builtin_ggx_table().view();
   const Vec3d wo(std::sin(theta), 0, std::cos(theta));
@@ -141,6 +142,7 @@ f64::Surface surface_of_form(LightForm form, double theta, double roughness, dou
                         Vec3d(0, 0, 1), wo, Vec3d(albedo), Vec3d(f0), Vec3d(1.0), roughness);
   if (two) s = f64::add_second_lobe(s, f64::fetch_second_lobe_of_roughness(table, roughness, wo.z));
   if (form == LightForm::ratio || form == LightForm::two_lobes_ratio) s = f64::correct_at_mean(s);
+  if (form == LightForm::adaptive) s = f64::make_adaptive(s);
   return form == LightForm::exact ? f64::make_exact(s) : s;
 }
 

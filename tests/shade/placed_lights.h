@@ -14,7 +14,7 @@
 namespace openltc::testing {
 
 /// How the specular part of area lights is shaded.
-enum class LightForm { lobe, ratio, two_lobes, two_lobes_ratio, exact };
+enum class LightForm { lobe, ratio, two_lobes, two_lobes_ratio, adaptive, exact };
 
 struct NamedForm {
   const char* name;
@@ -24,6 +24,7 @@ inline constexpr NamedForm k_light_forms[] = {{"one lobe", LightForm::lobe},
                                               {"one lobe, ratio", LightForm::ratio},
                                               {"two lobes", LightForm::two_lobes},
                                               {"two lobes, ratio", LightForm::two_lobes_ratio},
+                                              {"two lobes or GGX", LightForm::adaptive},
                                               {"exact", LightForm::exact}};
 
 /// A point at the origin, normal up, seen from the angle theta in the plane of x, by the built-in

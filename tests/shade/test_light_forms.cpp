@@ -60,12 +60,11 @@ Furnaces measure(LightForm form, double from_degrees, double to_degrees, bool me
         surface_of_form(form, theta, roughness, metal ? 1.0 : 0.04, metal ? 0.0 : 1.0);
     const FiveWalls walls = {random.uniform(0, 2 * k_pi), random.uniform(0.3, 2.3),
                              random.uniform(0.5, 2), random.uniform(0.5, 2)};
+    const bool by_ggx = form == LightForm::exact || form == LightForm::adaptive;
     // What a white dielectric loses its base has. A metal reflects its albedo: n1, of GGX itself
     // what visible normals have.
     double whole = 1;
-    if (metal)
-      whole = form == LightForm::exact ? visible_normals(s, 12, [](Vec3d) { return true; })
-                                       : s.fitted.n1;
+    if (metal) whole = by_ggx ? visible_normals(s, 12, [](Vec3d) { return true; }) : s.fitted.n1;
     const double light = walls.reflected(s);
     result.least = std::min(result.least, light / whole);
     result.most = std::max(result.most, light / whole);
@@ -79,15 +78,16 @@ struct Case {
   const char* name;
   double from_degrees, to_degrees;
   bool metal;
-  Furnaces bounds[5]; // just above what is measured
+  Furnaces bounds[6]; // just above what is measured
 };
 
 } // namespace
 
 // By lobes alone a metal has its albedo n1, whatever the walls. The ratio in a wall's mean
 // direction does not speak for all of it, and the nodes of GGX itself are few for walls that stand
-// on the surface where the view nearly lies in it. A dielectric's Fresnel is that of mean
-// directions, worst at such views, also by GGX itself where its lobe is narrow: decisions 51, 90.
+// on the surface where the view nearly lies in it: decision 104. A dielectric's Fresnel is that of
+// mean directions, worst at such views, also by GGX itself where its lobe is narrow: decisions 51,
+// 90; and its base has what the table's albedo leaves, which is 5 % too large at 89 degrees.
 TEST_CASE("five walls of a white furnace, by every form of light") {
   constexpr double none = 1e-9;
   const Case cases[] = {{"metal, to 60 degrees",
@@ -98,6 +98,7 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.99, 1.012, 0.0015, 1.002},
                           {LightForm::two_lobes, 1 - none, 1 + none, none, 1 + none},
                           {LightForm::two_lobes_ratio, 0.996, 1.006, 0.0007, 1.002},
+                          {LightForm::adaptive, 0.996, 1.0045, 0.0008, 1.002},
                           {LightForm::exact, 0.999, 1.002, 0.00015, 1.001}}},
                         {"metal, 60 to 89 degrees",
                          60,
@@ -107,7 +108,8 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.88, 1.037, 0.0075, 1.002},
                           {LightForm::two_lobes, 1 - none, 1 + none, none, 1 + none},
                           {LightForm::two_lobes_ratio, 0.93, 1.017, 0.004, 1.002},
-                          {LightForm::exact, 0.985, 1.06, 0.0016, 1.002}}},
+                          {LightForm::adaptive, 0.976, 1.035, 0.003, 1.002},
+                          {LightForm::exact, 0.989, 1.021, 0.0013, 1.001}}},
                         {"dielectric, to 60 degrees",
                          0,
                          60,
@@ -116,6 +118,7 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.9975, 1.0045, 0.0003, 1.0045},
                           {LightForm::two_lobes, 0.997, 1.004, 0.00025, 1.004},
                           {LightForm::two_lobes_ratio, 0.997, 1.004, 0.00025, 1.004},
+                          {LightForm::adaptive, 0.997, 1.0036, 0.00025, 1.0036},
                           {LightForm::exact, 0.999, 1.0035, 0.0001, 1.0035}}},
                         {"dielectric, 60 to 89 degrees",
                          60,
@@ -125,7 +128,8 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.96, 1.068, 0.0065, 1.068},
                           {LightForm::two_lobes, 0.97, 1.045, 0.005, 1.045},
                           {LightForm::two_lobes_ratio, 0.969, 1.041, 0.005, 1.041},
-                          {LightForm::exact, 0.98, 1.02, 0.0012, 1.02}}}};
+                          {LightForm::adaptive, 0.97, 1.02, 0.0017, 1.02},
+                          {LightForm::exact, 0.975, 1.02, 0.0012, 1.02}}}};
   for (const Case& one : cases)
     for (std::size_t k = 0; k < std::size(k_light_forms); ++k) {
       const Furnaces& bound = one.bounds[k];
@@ -183,7 +187,7 @@ bool has_step(const std::vector<double>& values, double known) {
 // Steps that there are, over the largest light of a path. GGX itself takes more nodes where an arc
 // begins to count as wide, and steps by what they change: circles most.
 double known_step(LightForm form, const std::string& shape) {
-  const bool exact = form == LightForm::exact;
+  const bool exact = form == LightForm::exact || form == LightForm::adaptive;
   if (exact && (shape == "sphere" || shape == "ellipse")) return 2e-3;
   if (exact && shape == "capsule") return 5e-4;
   return exact ? 1e-4 : 1e-7;

@@ -100,13 +100,51 @@ FN ConicTerms conic_terms(ConicPoint a, ConicPoint m, ConicPoint b) {
   return arc;
 }
 
+/// How the nodes of an arc gather at its lower end: masking and the distribution's peak, on its ring at cos_o, change
+/// over heights of about alpha and cos_o, which are little of an arc that climbs far from the horizon.
+struct RingNodes {
+  Real gather; ///< 0 evenly, in t, to 1, in its third root
+  Mask falls;  ///< whether the end is lower
+  Real climb;  ///< heights of the arc over those of the lower end, cos_o and alpha
+};
+
+/// Climb from which on nodes gather,
+CONSTANT k_gathering_climb = 3.0;
+/// by how much for each more,
+CONSTANT k_gathering_by_climb = 0.1;
+/// and the most that they do.
+CONSTANT k_most_gathering = 0.6;
+
+/// Of an arc between those heights, 0..1.
+FN RingNodes ring_nodes(ExactView view, Real begin, Real end) {
+  RingNodes nodes;
+  nodes.falls = end < begin;
+  Real low = max(min(begin, end), Real(0.0));
+  nodes.climb = abs(end - begin) * reciprocal(low + view.cos_o + view.alpha);
+  nodes.gather =
+      min(max((nodes.climb - Real(k_gathering_climb)) * Real(k_gathering_by_climb), Real(0.0)),
+          Real(k_most_gathering));
+  return nodes;
+}
+
+/// Rings at the node of Gauss at x, counted from the lower end, of weight w: t = x (1 - gather + gather x^2).
+FN ContourSums add_gathered_node(ExactView view, ContourSums sums, EdgePass pass, ConicTerms arc,
+                                 RingNodes nodes, Real x, Real w) {
+  Real even = Real(1.0) - nodes.gather;
+  Real part = nodes.gather * (x * x);
+  Real t = x * (even + part);
+  return add_ring_node(view, sums, pass, arc, select(nodes.falls, Real(1.0) - t, t),
+                       w * (even + part * Real(3.0)));
+}
+
 /// Rings along an arc, times `sign`: three nodes of Gauss.
 FN ContourSums add_rings(ExactView view, ContourSums sums, EdgePass pass, ConicTerms arc,
-                         Real sign) {
+                         RingNodes nodes, Real sign) {
   Real outer = sign * Real(0.2777777777777778);
-  sums = add_ring_node(view, sums, pass, arc, Real(0.1127016653792583), outer);
-  sums = add_ring_node(view, sums, pass, arc, Real(0.5), sign * Real(0.4444444444444444));
-  return add_ring_node(view, sums, pass, arc, Real(0.8872983346207417), outer);
+  sums = add_gathered_node(view, sums, pass, arc, nodes, Real(0.1127016653792583), outer);
+  sums =
+      add_gathered_node(view, sums, pass, arc, nodes, Real(0.5), sign * Real(0.4444444444444444));
+  return add_gathered_node(view, sums, pass, arc, nodes, Real(0.8872983346207417), outer);
 }
 
 /// An arc of a conic in two parts, in g.
@@ -145,14 +183,16 @@ FN ArcHalves halves_of(Vec3 p, Vec3 m, Vec3 q) {
 /// Rings along the halves of the arc of p, m, q, times `sign`.
 FN_CALL ContourSums add_rings_of_halves(ExactView view, ContourSums sums, EdgePass pass,
                                         ConicPoint p, ConicPoint m, ConicPoint q, ArcHalves halves,
-                                        Real sign) {
+                                        Real begin, Real end, Real sign) {
   ConicPoint before = mix_points(p, m, halves.t);
   ConicPoint after = mix_points(m, q, halves.t);
   ConicPoint middle = scale_point(mix_points(before, after, halves.t), halves.inv_g);
   before = scale_point(before, halves.root);
   after = scale_point(after, halves.root);
-  sums = add_rings(view, sums, pass, conic_terms(p, before, middle), sign);
-  return add_rings(view, sums, pass, conic_terms(middle, after, q), sign);
+  Real z = middle.r.z * reciprocal(max(middle.l, Real(k_tiny)));
+  sums =
+      add_rings(view, sums, pass, conic_terms(p, before, middle), ring_nodes(view, begin, z), sign);
+  return add_rings(view, sums, pass, conic_terms(middle, after, q), ring_nodes(view, z, end), sign);
 }
 
 /// Cosine of the angle in g between the ends of half an edge from which on it is divided once more.
@@ -181,6 +221,11 @@ FN Vec3 visible_half(Vec3 a, Vec3 m, Vec3 b) {
   return whole;
 }
 
+/// Climb from which on rings are summed in two halves,
+CONSTANT k_halving_climb = 4.0;
+/// and how much of them are for each more.
+CONSTANT k_halving_by_climb = 0.5;
+
 /// The arc of p, m, q, points of unit directions above the horizon and the control point between, times `sign`.
 FN_CALL ContourSums add_arc(ExactView view, ContourSums sums, ConicPoint p, ConicPoint m,
                             ConicPoint q, Real sign) {
@@ -202,9 +247,13 @@ FN_CALL ContourSums add_arc(ExactView view, ContourSums sums, ConicPoint p, Coni
       sums = add_cap(view, sums, min(max(max(p.r.z, q.r.z), Real(0.0)), Real(1.0)), way * sign);
     }
   }
-  // More nodes, without a step, from 60 degrees on to 78.
+  Real begin = p.r.z;
+  Real end = q.r.z;
+  RingNodes nodes = ring_nodes(view, begin, end);
+  // More nodes, without a step, from 60 degrees on to 78, and where they gather.
   Real wide = (Real(0.5) * (p.l * q.l) - dot(p.r, q.r)) * Real(1.0 / 0.3);
-  wide = min(max(wide, Real(0.0)), Real(1.0));
+  Real climbing = (nodes.climb - Real(k_halving_climb)) * Real(k_halving_by_climb);
+  wide = min(max(max(wide, climbing), Real(0.0)), Real(1.0));
   Real inv_p = inversesqrt(max(dot(p.g, p.g), Real(k_tiny)));
   Real inv_q = inversesqrt(max(dot(q.g, q.g), Real(k_tiny)));
   p = scale_point(p, inv_p);
@@ -226,14 +275,14 @@ FN_CALL ContourSums add_arc(ExactView view, ContourSums sums, ConicPoint p, Coni
   sums.visible = sums.visible + visible * sign;
   // Uniform shortcuts: no lane's arc is wide, or all are.
   if (!any_lane(wide > Real(0.0))) {
-    return add_rings(view, sums, pass, conic_terms(p, m, q), sign);
+    return add_rings(view, sums, pass, conic_terms(p, m, q), nodes, sign);
   }
   ContourSums parts =
-      add_rings_of_halves(view, sums, pass, p, m, q, halves_of(p.g, m.g, q.g), sign);
+      add_rings_of_halves(view, sums, pass, p, m, q, halves_of(p.g, m.g, q.g), begin, end, sign);
   if (all_lanes(wide >= Real(1.0))) {
     return parts;
   }
-  sums = add_rings(view, sums, pass, conic_terms(p, m, q), sign);
+  sums = add_rings(view, sums, pass, conic_terms(p, m, q), nodes, sign);
   sums.masked = sums.masked + (parts.masked - sums.masked) * wide;
   sums.biased = sums.biased + (parts.biased - sums.biased) * wide;
   sums.solid = sums.solid + (parts.solid - sums.solid) * wide;

@@ -64,8 +64,8 @@ const char* complaint(LightShape shape, const LightAnswers& a, int i) {
 /// What a target makes of a batch: its integrals, and its light as a renderer asks for it.
 struct Evaluated {
   static constexpr testing::ShadingForm k_forms[] = {
-      testing::ShadingForm::lobe, testing::ShadingForm::ratio, testing::ShadingForm::two,
-      testing::ShadingForm::two_ratio, testing::ShadingForm::exact};
+      testing::ShadingForm::lobe,      testing::ShadingForm::ratio, testing::ShadingForm::two,
+      testing::ShadingForm::two_ratio, testing::ShadingForm::exact, testing::ShadingForm::adaptive};
   LightAnswers integrals, rendered[std::size(k_forms)];
 
   Evaluated(const LightTarget& target, LightBatch batch) {

@@ -35,7 +35,8 @@ enum class ShadingForm {
   ratio,     ///< times the BRDF's ratio to it in the mean direction
   two,       ///< with a second lobe, of 0.3: that of twice the width
   two_ratio, ///< and the ratio to both
-  exact,     ///< by GGX itself, where the shape has it
+  exact,     ///< by GGX itself
+  adaptive,  ///< by GGX itself where these err
 };
 
 struct LightBatch {

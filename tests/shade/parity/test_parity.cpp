@@ -224,6 +224,8 @@ const std::map<std::string, Beyond>& exceptions() {
       // Where edges or arcs pass a peak of GGX that is narrow and seen at a grazing angle.
       {"shade_polygon.exact", {40, 1e-3}},
       {"shade_polygon.exact, tilted", {40, 2e-4}},
+      {"shade_polygon.adaptive", {40, 2e-4}},
+      {"shade_polygon.adaptive, tilted", {40, 2e-4}},
       {"shade_sphere.exact", {100, 2e-4}},
       {"shade_tube.exact", {30, 2e-4}},
       // The axes of cells turn quickly where the lobe is nearly round on the light.
