@@ -107,8 +107,8 @@ echo
 printf '%-20s %16s %10s %12s %12s\n' "$compare_size" "relative error" "FLIP" "LTC" "reference"
 printf '%s\n' "${rows[@]}"
 echo
-echo "where the closed form is off, without shadows: what two lobes and the ratio leave of GGX, whose"
-echo "tails are longer and whose rim at grazing views is sharper than those of clamped cosines"
+echo "where the closed form is off, without shadows: what two lobes and the ratio leave of GGX,"
+echo "whose tails are longer than those of clamped cosines, where it is not taken itself"
 largest "$json"
 echo
 echo "the picture, $size in $picture_seconds s:"
