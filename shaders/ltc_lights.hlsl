@@ -350,24 +350,6 @@ float ltc_alpha_from_roughness(float roughness) {
   return max(roughness * roughness, ltc_k_min_alpha);
 }
 
-// Distribution of normals D(h), 1/steradian; integral of D cos over the hemisphere is 1.
-//
-// With tan terms kept apart, h.x^2 + h.y^2 + alpha^2 h.z^2, nothing cancels at low roughness, as
-// it does in cos^2 (alpha^2 - 1) + 1.
-float ltc_ggx_distribution(float3 h, float alpha) {
-  float alpha2 = alpha * alpha;
-  float t = h.x * h.x + h.y * h.y + alpha2 * h.z * h.z;
-  return alpha2 * ltc_k_inv_pi / max(t * t, ltc_k_tiny);
-}
-
-// Visibility V = G2 / (4 cos_o cos_i): the BRDF's denominator is already inside.
-float ltc_smith_visibility(float cos_o, float cos_i, float alpha) {
-  float alpha2 = alpha * alpha;
-  float lambda_o = cos_i * sqrt(cos_o * cos_o * (1.0 - alpha2) + alpha2);
-  float lambda_i = cos_o * sqrt(cos_i * cos_i * (1.0 - alpha2) + alpha2);
-  return 0.5 / max(lambda_o + lambda_i, ltc_k_tiny);
-}
-
 // (1 - cos)^5, the weight of F90 in Schlick's approximation.
 float ltc_schlick_weight(float o_dot_h) {
   float m = min(max(1.0 - o_dot_h, 0.0), 1.0);
@@ -381,25 +363,21 @@ float ltc_schlick_weight_between(float o_dot_i) {
   return ltc_schlick_weight(sqrt(max(0.5 + 0.5 * o_dot_i, 0.0)));
 }
 
-// A GGX evaluation with Fresnel kept apart: f_s cos = f0 * scale + (f90 - f0) * bias.
-struct ltc_GgxTerms {
-  float scale; // D V cos_i
-  float bias;  // D V cos_i (1 - wo.h)^5
-};
-
-// D V cos_i and its Schlick part for a pair of directions; zero below the horizon.
-ltc_GgxTerms ltc_eval_ggx_terms(float3 wo, float3 wi, float alpha) {
+// The `scale` of eval_ggx_terms by itself, by reciprocals instead of quotients and roots:
+//   alpha^2 / (2 pi) (c / t)^2 cos_i / (cos_i root_o + cos_o root_i)
+// with c = |wo + wi|^2 and t = |diag(1, 1, alpha) (wo + wi)|^2.
+float ltc_eval_ggx_scale(float3 wo, float3 wi, float alpha) {
   float3 sum = wo + wi;
-  float3 h = sum * rsqrt(max(dot(sum, sum), ltc_k_tiny));
-  float cos_o = wo.z;
-  float cos_i = wi.z;
-  bool above = cos_i > 0.0 && cos_o > 0.0;
-  float dv = ltc_ggx_distribution(h, alpha) *
-             ltc_smith_visibility(max(cos_o, 0.0), max(cos_i, 0.0), alpha);
-  ltc_GgxTerms terms;
-  terms.scale = above ? dv * cos_i : 0.0;
-  terms.bias = terms.scale * ltc_schlick_weight(dot(wo, h));
-  return terms;
+  float across2 = sum.x * sum.x + sum.y * sum.y;
+  float up2 = sum.z * sum.z;
+  float alpha2 = alpha * alpha;
+  float slope = (across2 + up2) * (1.0 / max(across2 + alpha2 * up2, ltc_k_tiny));
+  float cos_o = max(wo.z, 0.0);
+  float cos_i = max(wi.z, 0.0);
+  float root_o = cos_o * cos_o * (1.0 - alpha2) + alpha2;
+  float root_i = cos_i * cos_i * (1.0 - alpha2) + alpha2;
+  float masking = cos_i * (root_o * rsqrt(root_o)) + cos_o * (root_i * rsqrt(root_i));
+  return 0.5 * ltc_k_inv_pi * alpha2 * (slope * slope) * cos_i * (1.0 / max(masking, ltc_k_tiny));
 }
 
 // ---- lobe ---------------------------------------------------------------------------------------
@@ -973,6 +951,9 @@ ltc_Surface ltc_correct_at_mean(ltc_Surface s) {
   return s;
 }
 
+// The same surface where no lane is GGX itself: one that asks its lobes alone.
+ltc_Surface ltc_without_exact(ltc_Surface s) { return s; }
+
 // Makes known the normal of the triangle that the point is on: unit, world space, on the viewer's side.
 ltc_Surface ltc_set_geometric_normal(ltc_Surface s, float3 geometric) {
   float3 d = geometric - s.frame.n;
@@ -1048,9 +1029,9 @@ float ltc_part_weight(ltc_Surface s, float3 wi, float share) {
 // nearly r where the lobe glows and the BRDF does not. It is not additive: see docs/method.md.
 float ltc_blended_ratio(ltc_Surface s, float3 wi, float w) {
   float lobe = s.fitted.n1 * ltc_eval_lobes(s, wi);
-  float rho = min(ltc_eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
+  float rho = min(ltc_eval_ggx_scale(s.wo, wi, s.alpha), s.max_ratio * lobe);
   // 1 where both vanish.
-  return (rho + ltc_k_tiny) / (max(rho + w * (lobe - rho), 0.0) + ltc_k_tiny);
+  return (rho + ltc_k_tiny) * (1.0 / (max(rho + w * (lobe - rho), 0.0) + ltc_k_tiny));
 }
 
 // The weight of the BRDF in that: of a light that fills `share` of the lobe.
@@ -2008,7 +1989,7 @@ ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 position, ltc_Frame 
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
-//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
+//   bool polygon_is_parallelogram(Polygon)       of four corners; where that is known beforehand
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -2074,6 +2055,11 @@ float ltc_polygon_exactness(float3 center, float radius, ltc_Lobe lobe) {
   return above ? exact : 1.0;
 }
 
+// What the small form has of a polygon, of which `exact` is its edges' (polygon_exactness).
+float3 ltc_small_rest(ltc_SmallPolygon small, ltc_Lobe lobe, float exact) {
+  return exact < 1.0 ? ltc_sum_small_polygon(small, lobe) * (1.0 - exact) : float3(0.0, 0.0, 0.0);
+}
+
 // EdgeSums.outline2 for what fades into the small form, which lies in one direction.
 float ltc_small_outline2(ltc_EdgeSums sums, float exact) {
   return 1.0 + (sums.outline2 - 1.0) * exact;
@@ -2115,6 +2101,67 @@ ltc_SmallPolygon ltc_small_quad(ltc_Quad quad, float3 center, ltc_Frame frame, f
   return small;
 }
 
+// What a point knows of a polygon before it asks a lobe.
+struct ltc_PolygonSight {
+  float h;          // signed distance of its plane, along its normal
+  float side;       // see lit_side
+  float3 to_center; // its centroid, from the point, world space
+  float radius;     // around the centroid
+  bool large;       // whether no lane sees it small, in shading space or in any lobe's cosine space
+};
+
+// Of a point at `position`, world space.
+ltc_PolygonSight ltc_see_polygon(int polygon, float3 position) {
+  ltc_PolygonSight sight;
+  float3 to_origin = ltc_polygon_origin(polygon) - position;
+  sight.h = dot(to_origin, ltc_polygon_normal(polygon));
+  sight.side = ltc_lit_side(polygon, sight.h, to_origin);
+  sight.to_center = ltc_polygon_centroid(polygon) - position;
+  sight.radius = ltc_polygon_radius(polygon);
+  // What is not small in shading space is not in cosine space, where its radius counts as much longer as the
+  // distance can become.
+  sight.large = sight.radius * sight.radius >=
+                ltc_k_small_radius2 * dot(sight.to_center, sight.to_center);
+  return sight;
+}
+
+// Of a point at `position`, world space.
+ltc_PolygonSight ltc_see_quad(ltc_Quad quad, float3 position) {
+  ltc_PolygonSight sight;
+  float3 to_origin = ltc_quad_origin(quad) - position;
+  sight.h = dot(to_origin, ltc_quad_normal(quad));
+  sight.side = ltc_quad_lit_side(quad, sight.h, to_origin);
+  sight.to_center = ltc_quad_centroid(quad) - position;
+  sight.radius = ltc_quad_radius(quad);
+  // What is not small in shading space is not in cosine space, where its radius counts as much longer as the
+  // distance can become.
+  sight.large = sight.radius * sight.radius >=
+                ltc_k_small_radius2 * dot(sight.to_center, sight.to_center);
+  return sight;
+}
+
+// polygon_exactness of a polygon whose centroid is at `center`, shading space; what the plane with unit normal
+// `front` may cut is summed by its edges, however small.
+float ltc_exactness_in_front(float3 center, float radius, ltc_Lobe lobe, bool cut, float3 front) {
+  float exact = ltc_polygon_exactness(center, radius, lobe);
+  if (cut) {
+    exact = dot(front, center) > radius ? exact : 1.0;
+  }
+  return exact;
+}
+
+// The sums over its edges in whichever way suits its outline and what cuts it.
+ltc_EdgeSums ltc_sum_polygon_edges(int polygon, float3 position, ltc_Frame frame, ltc_Lobe lobe,
+                                   bool cut, float3 front) {
+  return ltc_sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
+}
+
+// The sums over its edges in whichever way suits its outline and what cuts it.
+ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, float3 position, ltc_Frame frame, ltc_Lobe lobe,
+                                float h, bool cut, float3 front) {
+  return ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h, cut, front);
+}
+
 // Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 // behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
 // last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
@@ -2125,27 +2172,15 @@ ltc_SmallPolygon ltc_small_quad(ltc_Quad quad, float3 center, ltc_Frame frame, f
 // and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
 ltc_LightIntegral ltc_integrate_polygon_part(int polygon, float3 position, ltc_Frame frame,
                                              ltc_Lobe lobe, bool cut, float3 front) {
-  float3 normal = ltc_polygon_normal(polygon);
-  float3 to_origin = ltc_polygon_origin(polygon) - position;
-  float h = dot(to_origin, normal);
-  float side = ltc_lit_side(polygon, h, to_origin);
-  float3 to_center = ltc_polygon_centroid(polygon) - position;
-  float radius = ltc_polygon_radius(polygon);
-  float3 center = to_center;
+  ltc_PolygonSight sight = ltc_see_polygon(polygon, position);
+  float3 center = sight.to_center;
   float exact_diffuse = 1.0;
   float exact_specular = 1.0;
-  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
-  // counts as much longer as the distance can become.
-  if (!(radius * radius >= ltc_k_small_radius2 * dot(to_center, to_center))) {
-    center = ltc_to_shading(frame, to_center);
-    exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
-    exact_specular = ltc_polygon_exactness(center, radius, lobe);
-    // What the plane may cut is summed by its edges, however small.
-    if (cut) {
-      bool in_front = dot(front, center) > radius;
-      exact_diffuse = in_front ? exact_diffuse : 1.0;
-      exact_specular = in_front ? exact_specular : 1.0;
-    }
+  // Uniform shortcut.
+  if (!sight.large) {
+    center = ltc_to_shading(frame, sight.to_center);
+    exact_diffuse = ltc_exactness_in_front(center, sight.radius, ltc_cosine_lobe(), cut, front);
+    exact_specular = ltc_exactness_in_front(center, sight.radius, lobe, cut, front);
   }
 
   ltc_EdgeSums sums;
@@ -2153,21 +2188,16 @@ ltc_LightIntegral ltc_integrate_polygon_part(int polygon, float3 position, ltc_F
   sums.specular = sums.diffuse;
   sums.outline2 = 1.0;
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  bool lit = side != 0.0;
+  bool lit = sight.side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
-    sums.diffuse = sums.diffuse * (side * exact_diffuse);
-    sums.specular = sums.specular * (side * exact_specular);
+    sums = ltc_sum_polygon_edges(polygon, position, frame, lobe, cut, front);
+    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
+    sums.specular = sums.specular * (sight.side * exact_specular);
   }
   if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    ltc_SmallPolygon small = ltc_small_polygon(polygon, center, frame, h, side);
-    float3 none = float3(0.0, 0.0, 0.0);
-    sums.diffuse = sums.diffuse +
-                   (exact_diffuse < 1.0 ?
-                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
-    sums.specular = sums.specular +
-                    (exact_specular < 1.0 ?
-                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+    ltc_SmallPolygon small = ltc_small_polygon(polygon, center, frame, sight.h, sight.side);
+    sums.diffuse = sums.diffuse + ltc_small_rest(small, ltc_cosine_lobe(), exact_diffuse);
+    sums.specular = sums.specular + ltc_small_rest(small, lobe, exact_specular);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
@@ -2183,27 +2213,15 @@ ltc_LightIntegral ltc_integrate_polygon_part(int polygon, float3 position, ltc_F
 // and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
 ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, float3 position, ltc_Frame frame,
                                           ltc_Lobe lobe, bool cut, float3 front) {
-  float3 normal = ltc_quad_normal(quad);
-  float3 to_origin = ltc_quad_origin(quad) - position;
-  float h = dot(to_origin, normal);
-  float side = ltc_quad_lit_side(quad, h, to_origin);
-  float3 to_center = ltc_quad_centroid(quad) - position;
-  float radius = ltc_quad_radius(quad);
-  float3 center = to_center;
+  ltc_PolygonSight sight = ltc_see_quad(quad, position);
+  float3 center = sight.to_center;
   float exact_diffuse = 1.0;
   float exact_specular = 1.0;
-  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
-  // counts as much longer as the distance can become.
-  if (!(radius * radius >= ltc_k_small_radius2 * dot(to_center, to_center))) {
-    center = ltc_to_shading(frame, to_center);
-    exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
-    exact_specular = ltc_polygon_exactness(center, radius, lobe);
-    // What the plane may cut is summed by its edges, however small.
-    if (cut) {
-      bool in_front = dot(front, center) > radius;
-      exact_diffuse = in_front ? exact_diffuse : 1.0;
-      exact_specular = in_front ? exact_specular : 1.0;
-    }
+  // Uniform shortcut.
+  if (!sight.large) {
+    center = ltc_to_shading(frame, sight.to_center);
+    exact_diffuse = ltc_exactness_in_front(center, sight.radius, ltc_cosine_lobe(), cut, front);
+    exact_specular = ltc_exactness_in_front(center, sight.radius, lobe, cut, front);
   }
 
   ltc_EdgeSums sums;
@@ -2211,21 +2229,16 @@ ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, float3 position, ltc_Fr
   sums.specular = sums.diffuse;
   sums.outline2 = 1.0;
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  bool lit = side != 0.0;
+  bool lit = sight.side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h, cut, front);
-    sums.diffuse = sums.diffuse * (side * exact_diffuse);
-    sums.specular = sums.specular * (side * exact_specular);
+    sums = ltc_sum_quad_edges(quad, position, frame, lobe, sight.h, cut, front);
+    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
+    sums.specular = sums.specular * (sight.side * exact_specular);
   }
   if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    ltc_SmallPolygon small = ltc_small_quad(quad, center, frame, h, side);
-    float3 none = float3(0.0, 0.0, 0.0);
-    sums.diffuse = sums.diffuse +
-                   (exact_diffuse < 1.0 ?
-                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
-    sums.specular = sums.specular +
-                    (exact_specular < 1.0 ?
-                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+    ltc_SmallPolygon small = ltc_small_quad(quad, center, frame, sight.h, sight.side);
+    sums.diffuse = sums.diffuse + ltc_small_rest(small, ltc_cosine_lobe(), exact_diffuse);
+    sums.specular = sums.specular + ltc_small_rest(small, lobe, exact_specular);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
@@ -2286,16 +2299,26 @@ ltc_LightIntegral ltc_quad_integral_in_one_lane(ltc_Surface s, ltc_Quad quad) {
   return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
 }
 
-// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
-// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
-ltc_LightIntegral ltc_surface_polygon_integral(ltc_Surface s, int polygon) {
+// The integral by the lobes. Uniform shortcut: no lane's triangle reaches the light.
+ltc_LightIntegral ltc_lobes_polygon_integral(ltc_Surface s, int polygon) {
   return ltc_polygon_integral_in_one_lane(s, polygon);
 }
 
-// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
-// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
-ltc_LightIntegral ltc_surface_quad_integral(ltc_Surface s, ltc_Quad quad) {
+// The integral by the lobes. Uniform shortcut: no lane's triangle reaches the light.
+ltc_LightIntegral ltc_lobes_quad_integral(ltc_Surface s, ltc_Quad quad) {
   return ltc_quad_integral_in_one_lane(s, quad);
+}
+
+// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+// without a side of the polygon.
+ltc_LightIntegral ltc_surface_polygon_integral(ltc_Surface s, int polygon) {
+  return ltc_lobes_polygon_integral(s, polygon);
+}
+
+// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+// without a side of the polygon.
+ltc_LightIntegral ltc_surface_quad_integral(ltc_Surface s, ltc_Quad quad) {
+  return ltc_lobes_quad_integral(s, quad);
 }
 
 // Light that a surface reflects of a polygon of radiance 1, without shadow.
@@ -2309,17 +2332,20 @@ ltc_ShadedLight ltc_shade_quad_parts(ltc_Surface s, ltc_Quad quad) {
 }
 
 // Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
-// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+// Not by way of shade_polygon_parts, nor of what it asks: where a compiler does not inline
 // these, each copies the surface, 3 % of a quad's instructions.
 float3 ltc_shade_polygon(ltc_Surface s, int polygon) {
-  return ltc_both_parts(ltc_shade_integral(s, ltc_polygon_integral_in_one_lane(s, polygon)));
+  ltc_Surface by_lobes = ltc_without_exact(s);
+  return ltc_both_parts(ltc_shade_integral(by_lobes,
+                                           ltc_polygon_integral_in_one_lane(by_lobes, polygon)));
 }
 
 // Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
-// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+// Not by way of shade_polygon_parts, nor of what it asks: where a compiler does not inline
 // these, each copies the surface, 3 % of a quad's instructions.
 float3 ltc_shade_quad(ltc_Surface s, ltc_Quad quad) {
-  return ltc_both_parts(ltc_shade_integral(s, ltc_quad_integral_in_one_lane(s, quad)));
+  ltc_Surface by_lobes = ltc_without_exact(s);
+  return ltc_both_parts(ltc_shade_integral(by_lobes, ltc_quad_integral_in_one_lane(by_lobes, quad)));
 }
 
 // ---- ellipse ------------------------------------------------------------------------------------

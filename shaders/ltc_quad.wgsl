@@ -196,24 +196,6 @@ fn ltc_alpha_from_roughness(roughness: f32) -> f32 {
   return max(roughness * roughness, ltc_k_min_alpha);
 }
 
-// Distribution of normals D(h), 1/steradian; integral of D cos over the hemisphere is 1.
-//
-// With tan terms kept apart, h.x^2 + h.y^2 + alpha^2 h.z^2, nothing cancels at low roughness, as
-// it does in cos^2 (alpha^2 - 1) + 1.
-fn ltc_ggx_distribution(h: vec3f, alpha: f32) -> f32 {
-  let alpha2 = alpha * alpha;
-  let t = h.x * h.x + h.y * h.y + alpha2 * h.z * h.z;
-  return alpha2 * ltc_k_inv_pi / max(t * t, ltc_k_tiny);
-}
-
-// Visibility V = G2 / (4 cos_o cos_i): the BRDF's denominator is already inside.
-fn ltc_smith_visibility(cos_o: f32, cos_i: f32, alpha: f32) -> f32 {
-  let alpha2 = alpha * alpha;
-  let lambda_o = cos_i * sqrt(cos_o * cos_o * (1.0 - alpha2) + alpha2);
-  let lambda_i = cos_o * sqrt(cos_i * cos_i * (1.0 - alpha2) + alpha2);
-  return 0.5 / max(lambda_o + lambda_i, ltc_k_tiny);
-}
-
 // (1 - cos)^5, the weight of F90 in Schlick's approximation.
 fn ltc_schlick_weight(o_dot_h: f32) -> f32 {
   let m = min(max(1.0 - o_dot_h, 0.0), 1.0);
@@ -227,23 +209,21 @@ fn ltc_schlick_weight_between(o_dot_i: f32) -> f32 {
   return ltc_schlick_weight(sqrt(max(0.5 + 0.5 * o_dot_i, 0.0)));
 }
 
-// A GGX evaluation with Fresnel kept apart: f_s cos = f0 * scale + (f90 - f0) * bias.
-struct ltc_GgxTerms {
-  scale: f32, // D V cos_i
-}
-
-// D V cos_i and its Schlick part for a pair of directions; zero below the horizon.
-fn ltc_eval_ggx_terms(wo: vec3f, wi: vec3f, alpha: f32) -> ltc_GgxTerms {
+// The `scale` of eval_ggx_terms by itself, by reciprocals instead of quotients and roots:
+//   alpha^2 / (2 pi) (c / t)^2 cos_i / (cos_i root_o + cos_o root_i)
+// with c = |wo + wi|^2 and t = |diag(1, 1, alpha) (wo + wi)|^2.
+fn ltc_eval_ggx_scale(wo: vec3f, wi: vec3f, alpha: f32) -> f32 {
   let sum = wo + wi;
-  let h = sum * inverseSqrt(max(dot(sum, sum), ltc_k_tiny));
-  let cos_o = wo.z;
-  let cos_i = wi.z;
-  let above = cos_i > 0.0 && cos_o > 0.0;
-  let dv = ltc_ggx_distribution(h, alpha) *
-           ltc_smith_visibility(max(cos_o, 0.0), max(cos_i, 0.0), alpha);
-  var terms: ltc_GgxTerms;
-  terms.scale = select(0.0, dv * cos_i, above);
-  return terms;
+  let across2 = sum.x * sum.x + sum.y * sum.y;
+  let up2 = sum.z * sum.z;
+  let alpha2 = alpha * alpha;
+  let slope = (across2 + up2) * (1.0 / max(across2 + alpha2 * up2, ltc_k_tiny));
+  let cos_o = max(wo.z, 0.0);
+  let cos_i = max(wi.z, 0.0);
+  let root_o = cos_o * cos_o * (1.0 - alpha2) + alpha2;
+  let root_i = cos_i * cos_i * (1.0 - alpha2) + alpha2;
+  let masking = cos_i * (root_o * inverseSqrt(root_o)) + cos_o * (root_i * inverseSqrt(root_i));
+  return 0.5 * ltc_k_inv_pi * alpha2 * (slope * slope) * cos_i * (1.0 / max(masking, ltc_k_tiny));
 }
 
 // ---- lobe ---------------------------------------------------------------------------------------
@@ -732,6 +712,9 @@ fn ltc_correct_at_mean(s_in: ltc_Surface) -> ltc_Surface {
   return s;
 }
 
+// The same surface where no lane is GGX itself: one that asks its lobes alone.
+fn ltc_without_exact(s: ltc_Surface) -> ltc_Surface { return s; }
+
 // Makes known the normal of the triangle that the point is on: unit, world space, on the viewer's side.
 fn ltc_set_geometric_normal(s_in: ltc_Surface, geometric: vec3f) -> ltc_Surface {
   var s = s_in;
@@ -810,9 +793,9 @@ fn ltc_part_weight(s: ltc_Surface, wi: vec3f, share: f32) -> f32 {
 // nearly r where the lobe glows and the BRDF does not. It is not additive: see docs/method.md.
 fn ltc_blended_ratio(s: ltc_Surface, wi: vec3f, w: f32) -> f32 {
   let lobe = s.fitted.n1 * ltc_eval_lobes(s, wi);
-  let rho = min(ltc_eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
+  let rho = min(ltc_eval_ggx_scale(s.wo, wi, s.alpha), s.max_ratio * lobe);
   // 1 where both vanish.
-  return (rho + ltc_k_tiny) / (max(rho + w * (lobe - rho), 0.0) + ltc_k_tiny);
+  return (rho + ltc_k_tiny) * (1.0 / (max(rho + w * (lobe - rho), 0.0) + ltc_k_tiny));
 }
 
 // The weight of the BRDF in that: of a light that fills `share` of the lobe.
@@ -1236,7 +1219,7 @@ fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, l
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
-//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
+//   bool polygon_is_parallelogram(Polygon)       of four corners; where that is known beforehand
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -1302,6 +1285,12 @@ fn ltc_polygon_exactness(center: vec3f, radius: f32, lobe: ltc_Lobe) -> f32 {
   return select(1.0, exact, above);
 }
 
+// What the small form has of a polygon, of which `exact` is its edges' (polygon_exactness).
+fn ltc_small_rest(small: ltc_SmallPolygon, lobe: ltc_Lobe, exact: f32) -> vec3f {
+  return select(vec3f(0.0, 0.0, 0.0), ltc_sum_small_polygon(small, lobe) * (1.0 - exact),
+                exact < 1.0);
+}
+
 // EdgeSums.outline2 for what fades into the small form, which lies in one direction.
 fn ltc_small_outline2(sums: ltc_EdgeSums, exact: f32) -> f32 {
   return 1.0 + (sums.outline2 - 1.0) * exact;
@@ -1325,6 +1314,47 @@ fn ltc_small_quad(quad: ltc_Quad, center: vec3f, frame: ltc_Frame, h: f32,
   return small;
 }
 
+// What a point knows of a polygon before it asks a lobe.
+struct ltc_PolygonSight {
+  h: f32,           // signed distance of its plane, along its normal
+  side: f32,        // see lit_side
+  to_center: vec3f, // its centroid, from the point, world space
+  radius: f32,      // around the centroid
+  large: bool,      // whether no lane sees it small, in shading space or in any lobe's cosine space
+}
+
+// Of a point at `position`, world space.
+fn ltc_see_quad(quad: ltc_Quad, position: vec3f) -> ltc_PolygonSight {
+  var sight: ltc_PolygonSight;
+  let to_origin = ltc_quad_origin(quad) - position;
+  sight.h = dot(to_origin, ltc_quad_normal(quad));
+  sight.side = ltc_quad_lit_side(quad, sight.h, to_origin);
+  sight.to_center = ltc_quad_centroid(quad) - position;
+  sight.radius = ltc_quad_radius(quad);
+  // What is not small in shading space is not in cosine space, where its radius counts as much longer as the
+  // distance can become.
+  sight.large = sight.radius * sight.radius >=
+                ltc_k_small_radius2 * dot(sight.to_center, sight.to_center);
+  return sight;
+}
+
+// polygon_exactness of a polygon whose centroid is at `center`, shading space; what the plane with unit normal
+// `front` may cut is summed by its edges, however small.
+fn ltc_exactness_in_front(center: vec3f, radius: f32, lobe: ltc_Lobe, cut: bool,
+                          front: vec3f) -> f32 {
+  var exact = ltc_polygon_exactness(center, radius, lobe);
+  if (cut) {
+    exact = select(1.0, exact, dot(front, center) > radius);
+  }
+  return exact;
+}
+
+// The sums over its edges in whichever way suits its outline and what cuts it.
+fn ltc_sum_quad_edges(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe, h: f32,
+                      cut: bool, front: vec3f) -> ltc_EdgeSums {
+  return ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h, cut, front);
+}
+
 // Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 // behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
 // last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
@@ -1335,27 +1365,15 @@ fn ltc_small_quad(quad: ltc_Quad, center: vec3f, frame: ltc_Frame, h: f32,
 // and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
 fn ltc_integrate_quad_part(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
                            cut: bool, front: vec3f) -> ltc_LightIntegral {
-  let normal = ltc_quad_normal(quad);
-  let to_origin = ltc_quad_origin(quad) - position;
-  let h = dot(to_origin, normal);
-  let side = ltc_quad_lit_side(quad, h, to_origin);
-  let to_center = ltc_quad_centroid(quad) - position;
-  let radius = ltc_quad_radius(quad);
-  var center = to_center;
+  let sight = ltc_see_quad(quad, position);
+  var center = sight.to_center;
   var exact_diffuse = 1.0;
   var exact_specular = 1.0;
-  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
-  // counts as much longer as the distance can become.
-  if (!(radius * radius >= ltc_k_small_radius2 * dot(to_center, to_center))) {
-    center = ltc_to_shading(frame, to_center);
-    exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
-    exact_specular = ltc_polygon_exactness(center, radius, lobe);
-    // What the plane may cut is summed by its edges, however small.
-    if (cut) {
-      let in_front = dot(front, center) > radius;
-      exact_diffuse = select(1.0, exact_diffuse, in_front);
-      exact_specular = select(1.0, exact_specular, in_front);
-    }
+  // Uniform shortcut.
+  if (!sight.large) {
+    center = ltc_to_shading(frame, sight.to_center);
+    exact_diffuse = ltc_exactness_in_front(center, sight.radius, ltc_cosine_lobe(), cut, front);
+    exact_specular = ltc_exactness_in_front(center, sight.radius, lobe, cut, front);
   }
 
   var sums: ltc_EdgeSums;
@@ -1363,22 +1381,16 @@ fn ltc_integrate_quad_part(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lo
   sums.specular = sums.diffuse;
   sums.outline2 = 1.0;
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  let lit = side != 0.0;
+  let lit = sight.side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h, cut, front);
-    sums.diffuse = sums.diffuse * (side * exact_diffuse);
-    sums.specular = sums.specular * (side * exact_specular);
+    sums = ltc_sum_quad_edges(quad, position, frame, lobe, sight.h, cut, front);
+    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
+    sums.specular = sums.specular * (sight.side * exact_specular);
   }
   if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    let small = ltc_small_quad(quad, center, frame, h, side);
-    let none = vec3f(0.0, 0.0, 0.0);
-    sums.diffuse = sums.diffuse +
-                   select(none,
-                          ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse),
-                          exact_diffuse < 1.0);
-    sums.specular = sums.specular +
-                    select(none, ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular),
-                           exact_specular < 1.0);
+    let small = ltc_small_quad(quad, center, frame, sight.h, sight.side);
+    sums.diffuse = sums.diffuse + ltc_small_rest(small, ltc_cosine_lobe(), exact_diffuse);
+    sums.specular = sums.specular + ltc_small_rest(small, lobe, exact_specular);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe,
                             ltc_small_outline2(sums, exact_specular));
@@ -1413,10 +1425,15 @@ fn ltc_quad_integral_in_one_lane(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightInt
   return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
 }
 
-// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
-// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
-fn ltc_surface_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
+// The integral by the lobes. Uniform shortcut: no lane's triangle reaches the light.
+fn ltc_lobes_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
   return ltc_quad_integral_in_one_lane(s, quad);
+}
+
+// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+// without a side of the polygon.
+fn ltc_surface_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
+  return ltc_lobes_quad_integral(s, quad);
 }
 
 // Light that a surface reflects of a polygon of radiance 1, without shadow.
@@ -1425,10 +1442,11 @@ fn ltc_shade_quad_parts(s: ltc_Surface, quad: ltc_Quad) -> ltc_ShadedLight {
 }
 
 // Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
-// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+// Not by way of shade_polygon_parts, nor of what it asks: where a compiler does not inline
 // these, each copies the surface, 3 % of a quad's instructions.
 fn ltc_shade_quad(s: ltc_Surface, quad: ltc_Quad) -> vec3f {
-  return ltc_both_parts(ltc_shade_integral(s, ltc_quad_integral_in_one_lane(s, quad)));
+  let by_lobes = ltc_without_exact(s);
+  return ltc_both_parts(ltc_shade_integral(by_lobes, ltc_quad_integral_in_one_lane(by_lobes, quad)));
 }
 
 // ---- polynomial surface -------------------------------------------------------------------------

@@ -625,6 +625,9 @@ static inline float ltc_filled_share(ltc_Surface s, ltc_LightIntegral integral) 
   return min(share, 1.0);
 }
 
+// The same surface where no lane is GGX itself: one that asks its lobes alone.
+static inline ltc_Surface ltc_without_exact(ltc_Surface s) { return s; }
+
 // Whether the point has a side of a flat light, whose plane holds `origin`: not on the emitter itself
 // or on a wall flush with it, as far as its position is known. Without a side there is no light.
 static inline bool ltc_has_side(ltc_Surface s, float3 origin, float3 normal) {
@@ -887,7 +890,7 @@ static inline ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 positi
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
-//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
+//   bool polygon_is_parallelogram(Polygon)       of four corners; where that is known beforehand
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -953,6 +956,11 @@ static inline float ltc_polygon_exactness(float3 center, float radius, ltc_Lobe 
   return above ? exact : 1.0;
 }
 
+// What the small form has of a polygon, of which `exact` is its edges' (polygon_exactness).
+static inline float3 ltc_small_rest(ltc_SmallPolygon small, ltc_Lobe lobe, float exact) {
+  return exact < 1.0 ? ltc_sum_small_polygon(small, lobe) * (1.0 - exact) : float3(0.0, 0.0, 0.0);
+}
+
 // The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
 // its plane along its normal.
 static inline float ltc_quad_lit_side(ltc_Quad quad, float h, float3 to_origin) {
@@ -971,6 +979,43 @@ static inline ltc_SmallPolygon ltc_small_quad(ltc_Quad quad, float3 center, ltc_
   return small;
 }
 
+// What a point knows of a polygon before it asks a lobe.
+struct ltc_PolygonSight {
+  float h;          // signed distance of its plane, along its normal
+  float side;       // see lit_side
+  float3 to_center; // its centroid, from the point, world space
+  float radius;     // around the centroid
+  bool large;       // whether no lane sees it small, in shading space or in any lobe's cosine space
+};
+
+// Of a point at `position`, world space.
+static inline ltc_PolygonSight ltc_see_quad(ltc_Quad quad, float3 position) {
+  ltc_PolygonSight sight;
+  float3 to_origin = ltc_quad_origin(quad) - position;
+  sight.h = dot(to_origin, ltc_quad_normal(quad));
+  sight.side = ltc_quad_lit_side(quad, sight.h, to_origin);
+  sight.to_center = ltc_quad_centroid(quad) - position;
+  sight.radius = ltc_quad_radius(quad);
+  // What is not small in shading space is not in cosine space, where its radius counts as much longer as the
+  // distance can become.
+  sight.large = sight.radius * sight.radius >=
+                ltc_k_small_radius2 * dot(sight.to_center, sight.to_center);
+  return sight;
+}
+
+// polygon_exactness of a polygon whose centroid is at `center`, shading space; what the plane with unit normal
+// `front` may cut is summed by its edges, however small.
+static inline float ltc_exactness_in_front(float3 center, float radius, ltc_Lobe lobe) {
+  float exact = ltc_polygon_exactness(center, radius, lobe);
+  return exact;
+}
+
+// The sums over its edges in whichever way suits its outline and what cuts it.
+static inline ltc_EdgeSums ltc_sum_quad_edges(ltc_Quad quad, float3 position, ltc_Frame frame,
+                                              ltc_Lobe lobe, float h) {
+  return ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h);
+}
+
 // Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 // behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
 // last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
@@ -981,42 +1026,31 @@ static inline ltc_SmallPolygon ltc_small_quad(ltc_Quad quad, float3 center, ltc_
 // and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
 static inline ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, float3 position,
                                                         ltc_Frame frame, ltc_Lobe lobe) {
-  float3 normal = ltc_quad_normal(quad);
-  float3 to_origin = ltc_quad_origin(quad) - position;
-  float h = dot(to_origin, normal);
-  float side = ltc_quad_lit_side(quad, h, to_origin);
-  float3 to_center = ltc_quad_centroid(quad) - position;
-  float radius = ltc_quad_radius(quad);
-  float3 center = to_center;
+  ltc_PolygonSight sight = ltc_see_quad(quad, position);
+  float3 center = sight.to_center;
   float exact_diffuse = 1.0;
   float exact_specular = 1.0;
-  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
-  // counts as much longer as the distance can become.
-  if (!(radius * radius >= ltc_k_small_radius2 * dot(to_center, to_center))) {
-    center = ltc_to_shading(frame, to_center);
-    exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
-    exact_specular = ltc_polygon_exactness(center, radius, lobe);
+  // Uniform shortcut.
+  if (!sight.large) {
+    center = ltc_to_shading(frame, sight.to_center);
+    exact_diffuse = ltc_exactness_in_front(center, sight.radius, ltc_cosine_lobe());
+    exact_specular = ltc_exactness_in_front(center, sight.radius, lobe);
   }
 
   ltc_EdgeSums sums;
   sums.diffuse = float3(0.0, 0.0, 0.0);
   sums.specular = sums.diffuse;
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  bool lit = side != 0.0;
+  bool lit = sight.side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h);
-    sums.diffuse = sums.diffuse * (side * exact_diffuse);
-    sums.specular = sums.specular * (side * exact_specular);
+    sums = ltc_sum_quad_edges(quad, position, frame, lobe, sight.h);
+    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
+    sums.specular = sums.specular * (sight.side * exact_specular);
   }
   if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    ltc_SmallPolygon small = ltc_small_quad(quad, center, frame, h, side);
-    float3 none = float3(0.0, 0.0, 0.0);
-    sums.diffuse = sums.diffuse +
-                   (exact_diffuse < 1.0 ?
-                    ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse) : none);
-    sums.specular = sums.specular +
-                    (exact_specular < 1.0 ?
-                     ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular) : none);
+    ltc_SmallPolygon small = ltc_small_quad(quad, center, frame, sight.h, sight.side);
+    sums.diffuse = sums.diffuse + ltc_small_rest(small, ltc_cosine_lobe(), exact_diffuse);
+    sums.specular = sums.specular + ltc_small_rest(small, lobe, exact_specular);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe);
 }
@@ -1032,10 +1066,15 @@ static inline ltc_LightIntegral ltc_quad_integral_in_one_lane(ltc_Surface s, ltc
   return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
 }
 
-// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
-// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
-static inline ltc_LightIntegral ltc_surface_quad_integral(ltc_Surface s, ltc_Quad quad) {
+// The integral by the lobes. Uniform shortcut: no lane's triangle reaches the light.
+static inline ltc_LightIntegral ltc_lobes_quad_integral(ltc_Surface s, ltc_Quad quad) {
   return ltc_quad_integral_in_one_lane(s, quad);
+}
+
+// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+// without a side of the polygon.
+static inline ltc_LightIntegral ltc_surface_quad_integral(ltc_Surface s, ltc_Quad quad) {
+  return ltc_lobes_quad_integral(s, quad);
 }
 
 // Light that a surface reflects of a polygon of radiance 1, without shadow.
@@ -1044,10 +1083,11 @@ static inline ltc_ShadedLight ltc_shade_quad_parts(ltc_Surface s, ltc_Quad quad)
 }
 
 // Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
-// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+// Not by way of shade_polygon_parts, nor of what it asks: where a compiler does not inline
 // these, each copies the surface, 3 % of a quad's instructions.
 static inline float3 ltc_shade_quad(ltc_Surface s, ltc_Quad quad) {
-  return ltc_both_parts(ltc_shade_integral(s, ltc_quad_integral_in_one_lane(s, quad)));
+  ltc_Surface by_lobes = ltc_without_exact(s);
+  return ltc_both_parts(ltc_shade_integral(by_lobes, ltc_quad_integral_in_one_lane(by_lobes, quad)));
 }
 
 // ---- polynomial surface -------------------------------------------------------------------------

@@ -621,6 +621,9 @@ fn ltc_filled_share(s: ltc_Surface, integral: ltc_LightIntegral) -> f32 {
   return min(share, 1.0);
 }
 
+// The same surface where no lane is GGX itself: one that asks its lobes alone.
+fn ltc_without_exact(s: ltc_Surface) -> ltc_Surface { return s; }
+
 // Whether the point has a side of a flat light, whose plane holds `origin`: not on the emitter itself
 // or on a wall flush with it, as far as its position is known. Without a side there is no light.
 fn ltc_has_side(s: ltc_Surface, origin: vec3f, normal: vec3f) -> bool {
@@ -880,7 +883,7 @@ fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, l
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
-//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
+//   bool polygon_is_parallelogram(Polygon)       of four corners; where that is known beforehand
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -946,6 +949,12 @@ fn ltc_polygon_exactness(center: vec3f, radius: f32, lobe: ltc_Lobe) -> f32 {
   return select(1.0, exact, above);
 }
 
+// What the small form has of a polygon, of which `exact` is its edges' (polygon_exactness).
+fn ltc_small_rest(small: ltc_SmallPolygon, lobe: ltc_Lobe, exact: f32) -> vec3f {
+  return select(vec3f(0.0, 0.0, 0.0), ltc_sum_small_polygon(small, lobe) * (1.0 - exact),
+                exact < 1.0);
+}
+
 // The sign that its edge sums want: -1 in front, 1 behind a two-sided one, else 0. h: signed distance of
 // its plane along its normal.
 fn ltc_quad_lit_side(quad: ltc_Quad, h: f32, to_origin: vec3f) -> f32 {
@@ -964,6 +973,43 @@ fn ltc_small_quad(quad: ltc_Quad, center: vec3f, frame: ltc_Frame, h: f32,
   return small;
 }
 
+// What a point knows of a polygon before it asks a lobe.
+struct ltc_PolygonSight {
+  h: f32,           // signed distance of its plane, along its normal
+  side: f32,        // see lit_side
+  to_center: vec3f, // its centroid, from the point, world space
+  radius: f32,      // around the centroid
+  large: bool,      // whether no lane sees it small, in shading space or in any lobe's cosine space
+}
+
+// Of a point at `position`, world space.
+fn ltc_see_quad(quad: ltc_Quad, position: vec3f) -> ltc_PolygonSight {
+  var sight: ltc_PolygonSight;
+  let to_origin = ltc_quad_origin(quad) - position;
+  sight.h = dot(to_origin, ltc_quad_normal(quad));
+  sight.side = ltc_quad_lit_side(quad, sight.h, to_origin);
+  sight.to_center = ltc_quad_centroid(quad) - position;
+  sight.radius = ltc_quad_radius(quad);
+  // What is not small in shading space is not in cosine space, where its radius counts as much longer as the
+  // distance can become.
+  sight.large = sight.radius * sight.radius >=
+                ltc_k_small_radius2 * dot(sight.to_center, sight.to_center);
+  return sight;
+}
+
+// polygon_exactness of a polygon whose centroid is at `center`, shading space; what the plane with unit normal
+// `front` may cut is summed by its edges, however small.
+fn ltc_exactness_in_front(center: vec3f, radius: f32, lobe: ltc_Lobe) -> f32 {
+  let exact = ltc_polygon_exactness(center, radius, lobe);
+  return exact;
+}
+
+// The sums over its edges in whichever way suits its outline and what cuts it.
+fn ltc_sum_quad_edges(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
+                      h: f32) -> ltc_EdgeSums {
+  return ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h);
+}
+
 // Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 // behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
 // last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
@@ -974,43 +1020,31 @@ fn ltc_small_quad(quad: ltc_Quad, center: vec3f, frame: ltc_Frame, h: f32,
 // and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
 fn ltc_integrate_quad_part(quad: ltc_Quad, position: vec3f, frame: ltc_Frame,
                            lobe: ltc_Lobe) -> ltc_LightIntegral {
-  let normal = ltc_quad_normal(quad);
-  let to_origin = ltc_quad_origin(quad) - position;
-  let h = dot(to_origin, normal);
-  let side = ltc_quad_lit_side(quad, h, to_origin);
-  let to_center = ltc_quad_centroid(quad) - position;
-  let radius = ltc_quad_radius(quad);
-  var center = to_center;
+  let sight = ltc_see_quad(quad, position);
+  var center = sight.to_center;
   var exact_diffuse = 1.0;
   var exact_specular = 1.0;
-  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
-  // counts as much longer as the distance can become.
-  if (!(radius * radius >= ltc_k_small_radius2 * dot(to_center, to_center))) {
-    center = ltc_to_shading(frame, to_center);
-    exact_diffuse = ltc_polygon_exactness(center, radius, ltc_cosine_lobe());
-    exact_specular = ltc_polygon_exactness(center, radius, lobe);
+  // Uniform shortcut.
+  if (!sight.large) {
+    center = ltc_to_shading(frame, sight.to_center);
+    exact_diffuse = ltc_exactness_in_front(center, sight.radius, ltc_cosine_lobe());
+    exact_specular = ltc_exactness_in_front(center, sight.radius, lobe);
   }
 
   var sums: ltc_EdgeSums;
   sums.diffuse = vec3f(0.0, 0.0, 0.0);
   sums.specular = sums.diffuse;
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  let lit = side != 0.0;
+  let lit = sight.side != 0.0;
   if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
-    sums = ltc_sum_quad_in_one_lane(quad, position, frame, lobe, h);
-    sums.diffuse = sums.diffuse * (side * exact_diffuse);
-    sums.specular = sums.specular * (side * exact_specular);
+    sums = ltc_sum_quad_edges(quad, position, frame, lobe, sight.h);
+    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
+    sums.specular = sums.specular * (sight.side * exact_specular);
   }
   if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    let small = ltc_small_quad(quad, center, frame, h, side);
-    let none = vec3f(0.0, 0.0, 0.0);
-    sums.diffuse = sums.diffuse +
-                   select(none,
-                          ltc_sum_small_polygon(small, ltc_cosine_lobe()) * (1.0 - exact_diffuse),
-                          exact_diffuse < 1.0);
-    sums.specular = sums.specular +
-                    select(none, ltc_sum_small_polygon(small, lobe) * (1.0 - exact_specular),
-                           exact_specular < 1.0);
+    let small = ltc_small_quad(quad, center, frame, sight.h, sight.side);
+    sums.diffuse = sums.diffuse + ltc_small_rest(small, ltc_cosine_lobe(), exact_diffuse);
+    sums.specular = sums.specular + ltc_small_rest(small, lobe, exact_specular);
   }
   return ltc_light_integral(sums.diffuse, sums.specular, lobe);
 }
@@ -1026,10 +1060,15 @@ fn ltc_quad_integral_in_one_lane(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightInt
   return ltc_unless_in_plane(s, ltc_quad_origin(quad), ltc_quad_normal(quad), integral);
 }
 
-// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
-// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
-fn ltc_surface_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
+// The integral by the lobes. Uniform shortcut: no lane's triangle reaches the light.
+fn ltc_lobes_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
   return ltc_quad_integral_in_one_lane(s, quad);
+}
+
+// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+// without a side of the polygon.
+fn ltc_surface_quad_integral(s: ltc_Surface, quad: ltc_Quad) -> ltc_LightIntegral {
+  return ltc_lobes_quad_integral(s, quad);
 }
 
 // Light that a surface reflects of a polygon of radiance 1, without shadow.
@@ -1038,10 +1077,11 @@ fn ltc_shade_quad_parts(s: ltc_Surface, quad: ltc_Quad) -> ltc_ShadedLight {
 }
 
 // Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
-// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+// Not by way of shade_polygon_parts, nor of what it asks: where a compiler does not inline
 // these, each copies the surface, 3 % of a quad's instructions.
 fn ltc_shade_quad(s: ltc_Surface, quad: ltc_Quad) -> vec3f {
-  return ltc_both_parts(ltc_shade_integral(s, ltc_quad_integral_in_one_lane(s, quad)));
+  let by_lobes = ltc_without_exact(s);
+  return ltc_both_parts(ltc_shade_integral(by_lobes, ltc_quad_integral_in_one_lane(by_lobes, quad)));
 }
 
 // ---- polynomial surface -------------------------------------------------------------------------

@@ -198,7 +198,7 @@ struct Arc {
 /// The part of the outline above the plane with unit normal `up`.
 ///
 /// In terms of the circle that the outline is a linear image of, the plane is p cos + q sin + r = 0.
-FN_CALL Arc arc_above(Cone cone, Vec3 up) {
+FN_CALL Arc arc_above(GIVEN(Cone) cone, Vec3 up) {
   Real ratio = cone.c1 / cone.c2;
   Real p = dot(up, cone.e1) * cone.k1;
   Real q = dot(up, cone.e2) * cone.k2 * ratio;
@@ -250,7 +250,7 @@ struct ConePoint {
 };
 
 /// Both at the parameter t, radians.
-FN_CALL ConePoint cone_point(Cone cone, Real t) {
+FN_CALL ConePoint cone_point(GIVEN(Cone) cone, Real t) {
   Real c = cos(t);
   Real s = sin(t);
   Real m2 = max((cone.k1 - cone.k2) * (cone.k1 + cone.k2), Real(0.0));
@@ -281,7 +281,8 @@ FN Real wrapped_turn(Real angle) {
 /// What the arcs `part`, `surface` and `cosine` of an outline have in common, the latter two being what is above each
 /// horizon, closed towards the apex (0, s, 0) at both ends of every piece: 2 pi times its share of the vector
 /// irradiance.
-FN_CALL Vec3 common_arc_term(Cone cone, Arc part, Arc surface, Arc cosine, Real s) {
+FN_CALL Vec3 common_arc_term(GIVEN(Cone) cone, GIVEN(Arc) part, GIVEN(Arc) surface,
+                             GIVEN(Arc) cosine, Real s) {
   Real turn = Real(2.0) * k_pi;
   Real x1 = select(surface.extent > Real(k_full_turn), Real(0.0),
                    wrapped_turn(surface.start - part.start));
@@ -317,7 +318,7 @@ FN_CALL Vec3 common_arc_term(Cone cone, Arc part, Arc surface, Arc cosine, Real 
 
 /// The outline's arc `part`, clipped to the wedge between the horizons with unit normals `up` and z, and closed as
 /// above. Ends that other edges continue from cancel with those.
-FN_CALL Vec3 clipped_arc_term(Cone cone, Arc part, Vec3 up, Real s) {
+FN_CALL Vec3 clipped_arc_term(GIVEN(Cone) cone, GIVEN(Arc) part, Vec3 up, Real s) {
   return common_arc_term(cone, part, arc_above(cone, up),
                          arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0))), s);
 }
@@ -343,7 +344,7 @@ FN Real cone_outline2(Cone cone) {
 
 /// Vector irradiance times 2 pi of a whole cone, clipped to the wedge between the horizons with unit
 /// normals `up` and z.
-FN_CALL Vec3 clipped_cone(Cone cone, Vec3 up) {
+FN_CALL Vec3 clipped_cone(GIVEN(Cone) cone, Vec3 up) {
   Mask whole = cone_is_above(cone, up);
   Vec3 all = cone.e3 * (Real(2.0) * k_pi * cone.k1 * cone.k2);
   // Uniform shortcut: no lane needs to clip.

@@ -96,7 +96,7 @@ FN Heights ellipse_heights(Ellipse ellipse, Vec3 position, Vec3 normal) {
 }
 
 /// The integral over an ellipse with its specular part exact, but for what replaces its outline by arcs of circles.
-FN_CALL LightIntegral exact_ellipse_integral(Surface s, Ellipse ellipse) {
+FN_CALL LightIntegral exact_ellipse_integral(GIVEN(Surface) s, GIVEN(Ellipse) ellipse) {
   Vec3 center = to_shading(s.frame, ellipse.center - s.position);
   Vec3 u = to_shading(s.frame, ellipse.half_u);
   Vec3 v = to_shading(s.frame, ellipse.half_v);
@@ -109,7 +109,7 @@ FN_CALL LightIntegral exact_ellipse_integral(Surface s, Ellipse ellipse) {
 }
 
 /// The integral over an ellipse as a surface sees it; see surface_polygon_integral.
-FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
+FN LightIntegral surface_ellipse_integral(GIVEN(Surface) s, Ellipse ellipse) {
   Heights heights = no_heights();
   bool cut = false;
   if (s.tilted) {
@@ -138,12 +138,12 @@ FN LightIntegral surface_ellipse_integral(Surface s, Ellipse ellipse) {
 }
 
 /// Light that a surface reflects of an ellipse of radiance 1, without shadow.
-FN ShadedLight shade_ellipse_parts(Surface s, Ellipse ellipse) {
+FN ShadedLight shade_ellipse_parts(GIVEN(Surface) s, Ellipse ellipse) {
   return shade_integral(s, surface_ellipse_integral(s, ellipse));
 }
 
 /// Light that a surface reflects of it, for radiance 1 and without shadow: shade_ellipse_parts, both together.
-FN Vec3 shade_ellipse(Surface s, Ellipse ellipse) {
+FN Vec3 shade_ellipse(GIVEN(Surface) s, Ellipse ellipse) {
   return both_parts(shade_ellipse_parts(s, ellipse));
 }
 

@@ -106,8 +106,8 @@ FN Real emission_share_above(Real height, Real rise) {
 /// closed form for the same lobe: LightIntegral.diffuse_direction or specular_direction. It only
 /// places the cells. Times the light's radiance, this is what the lobe's integral is multiplied by.
 /// Where `cut`, the mean over what is in front of the plane with unit normal `front` (shading space).
-FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, Frame frame, Lobe lobe,
-                                Vec3 mean_direction, Vec3 front, bool cut) {
+FN_CALL Vec3 emission_seen_part(EmissionTexture emission, Vec3 position, GIVEN(Frame) frame,
+                                GIVEN(Lobe) lobe, Vec3 mean_direction, Vec3 front, bool cut) {
   ASSERT_THAT(is_unit(mean_direction));
   ASSERT_THAT(!cut || all_lanes(is_unit(front)));
   Vec2 extent = emission_extent(emission);

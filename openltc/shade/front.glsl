@@ -49,7 +49,7 @@ FN Vec3 closed_term(Vec3 a, Vec3 b, Vec3 up, Real s) {
 }
 
 /// clipped_cone for the part of the cone in front of the plane with unit normal `front`.
-FN_CALL Vec3 clipped_cone_in_front(Cone cone, Vec3 up, Vec3 front) {
+FN_CALL Vec3 clipped_cone_in_front(GIVEN(Cone) cone, Vec3 up, Vec3 front) {
   Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   Arc part = arc_above(cone, front);
   Mask uncut = part.extent > Real(k_full_turn);
@@ -78,7 +78,7 @@ FN_CALL Vec3 edge_in_front(Vec3 a, Vec3 b, Vec3 q, Vec3 up, Vec3 front, Real s) 
 }
 
 /// The same of an arc of a cone's outline.
-FN_CALL Vec3 arc_in_front(Cone cone, Arc part, Vec3 q, Vec3 up, Vec3 front, Real s) {
+FN_CALL Vec3 arc_in_front(GIVEN(Cone) cone, GIVEN(Arc) part, Vec3 q, Vec3 up, Vec3 front, Real s) {
   Arc above = arc_above(cone, front);
   Real turn = Real(2.0) * k_pi;
   Real x =

@@ -88,6 +88,26 @@ FN GgxTerms eval_ggx_terms(Vec3 wo, Vec3 wi, Real alpha) {
   return terms;
 }
 
+/// The `scale` of eval_ggx_terms by itself, by reciprocals instead of quotients and roots:
+///   alpha^2 / (2 pi) (c / t)^2 cos_i / (cos_i root_o + cos_o root_i)
+/// with c = |wo + wi|^2 and t = |diag(1, 1, alpha) (wo + wi)|^2.
+FN Real eval_ggx_scale(Vec3 wo, Vec3 wi, Real alpha) {
+  ASSERT_THAT(is_unit(wo) && is_unit(wi));
+  ASSERT_THAT(alpha > Real(0.0));
+  Vec3 sum = wo + wi;
+  Real across2 = sum.x * sum.x + sum.y * sum.y;
+  Real up2 = sum.z * sum.z;
+  Real alpha2 = alpha * alpha;
+  Real slope = (across2 + up2) * reciprocal(max(across2 + alpha2 * up2, Real(k_tiny)));
+  Real cos_o = max(wo.z, Real(0.0));
+  Real cos_i = max(wi.z, Real(0.0));
+  Real root_o = cos_o * cos_o * (Real(1.0) - alpha2) + alpha2;
+  Real root_i = cos_i * cos_i * (Real(1.0) - alpha2) + alpha2;
+  Real masking = cos_i * (root_o * inversesqrt(root_o)) + cos_o * (root_i * inversesqrt(root_i));
+  return (Real(0.5) * k_inv_pi * alpha2) * (slope * slope) * cos_i *
+         reciprocal(max(masking, Real(k_tiny)));
+}
+
 /// GGX BRDF times cos_i.
 FN Vec3 eval_ggx(Vec3 wo, Vec3 wi, Real alpha, Vec3 f0, Vec3 f90) {
   GgxTerms terms = eval_ggx_terms(wo, wi, alpha);

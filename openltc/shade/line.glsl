@@ -49,7 +49,7 @@ FN Vec3 clipped_line_term(Vec3 a_o, Vec3 b_o, Real a_z, Real b_z) {
 
 /// 2 pi times the vector irradiance of a strip of width 1 in shading space around the segment from a
 /// to b, also shading space, in the space that `lobe` leads to.
-FN_CALL Vec3 sum_line(Vec3 a, Vec3 b, Lobe lobe) {
+FN_CALL Vec3 sum_line(Vec3 a, Vec3 b, GIVEN(Lobe) lobe) {
   Vec3 a_o = to_cosine(lobe, a);
   Vec3 b_o = to_cosine(lobe, b);
   Vec3 triangle = cross(a, b - a);
@@ -102,7 +102,7 @@ FN Heights line_heights(Line line, Vec3 position, Vec3 normal) {
 }
 
 /// The integral over a line as a surface sees it; see surface_polygon_integral.
-FN LightIntegral surface_line_integral(Surface s, Line line) {
+FN LightIntegral surface_line_integral(GIVEN(Surface) s, Line line) {
   Heights heights = no_heights();
   bool cut = false;
   if (s.tilted) {
@@ -141,7 +141,7 @@ struct SegmentRatio {
 ///
 /// A long light has no one direction, least of all one low over the horizon, where the BRDF vanishes and
 /// the lobe does not. The weights are line_term's, whose angles are steps of a rotation.
-FN_CALL SegmentRatio segment_ratio(Surface s, Lobe lobe, Vec3 a, Vec3 b, Real w) {
+FN_CALL SegmentRatio segment_ratio(GIVEN(Surface) s, GIVEN(Lobe) lobe, Vec3 a, Vec3 b, Real w) {
   ClippedEdge edge = clip_edge(to_cosine(lobe, a), to_cosine(lobe, b), a.z, b.z);
   Vec3 t = safe_direction(edge.p1 - edge.p0);
   Real from = dot(edge.p0, t);
@@ -186,7 +186,7 @@ FN_CALL SegmentRatio segment_ratio(Surface s, Lobe lobe, Vec3 a, Vec3 b, Real w)
 
 /// The part of a line that a surface sees: above its horizon and in front of its triangle;
 /// where nothing is, a point.
-FN Line line_seen(Surface s, Line line) {
+FN Line line_seen(GIVEN(Surface) s, Line line) {
   bool below = any_lane(line_heights(line, s.position, s.frame.n).low < Real(0.0));
   bool behind = s.tilted && any_lane(line_heights(line, s.position, s.geometric).low < Real(0.0));
   if (!below && !behind) {
@@ -208,7 +208,7 @@ const int k_line_parts = 3;
 /// GGX itself over the line from a to b, shading space, per metre of its width. A line has no outline; it is
 /// summed by nodes that are even in the angle at which g of exact/half_vector.glsl would pass it, were the line's
 /// directions the linear ones around the mirror direction.
-FN_CALL ExactNodes exact_line(Surface s, Vec3 a, Vec3 b) {
+FN_CALL ExactNodes exact_line(GIVEN(Surface) s, Vec3 a, Vec3 b) {
   Vec3 axis = b - a;
   Real length2 = dot(axis, axis);
   Vec3 t = axis * inversesqrt(max(length2, Real(k_tiny)));
@@ -256,7 +256,7 @@ FN_CALL ExactNodes exact_line(Surface s, Vec3 a, Vec3 b) {
 
 /// Specular light of a line from a to b, shading space, of which the lobes have these shares. Each lobe is
 /// divided by itself, against the density of both: the balance heuristic of importance sampling.
-FN Vec3 segment_reflectance(Surface s, Vec3 a, Vec3 b, Real first, Real second) {
+FN Vec3 segment_reflectance(GIVEN(Surface) s, Vec3 a, Vec3 b, Real first, Real second) {
   SegmentRatio ratio = segment_ratio(s, s.fitted.lobe, a, b, Real(1.0));
   Real scale = ratio.scale * first;
   Real bias = ratio.bias * first;
@@ -269,7 +269,7 @@ FN Vec3 segment_reflectance(Surface s, Vec3 a, Vec3 b, Real first, Real second) 
 }
 
 /// Reflected light of a light of no width, whose integral is per metre of it and has no upper bound.
-FN ShadedLight shade_line_integral(Surface s, Line line, LightIntegral integral) {
+FN ShadedLight shade_line_integral(GIVEN(Surface) s, Line line, LightIntegral integral) {
   Real first = s.inv_share * integral.specular;
   Real second = s.second_inv_share * integral.second;
   ShadedLight shaded;
@@ -290,12 +290,12 @@ FN ShadedLight shade_line_integral(Surface s, Line line, LightIntegral integral)
 }
 
 /// Light that a surface reflects of a line of 1 cd/m, without shadow.
-FN ShadedLight shade_line_parts(Surface s, Line line) {
+FN ShadedLight shade_line_parts(GIVEN(Surface) s, Line line) {
   return shade_line_integral(s, line, surface_line_integral(s, line));
 }
 
 /// Light that a surface reflects of it, for radiance 1 and without shadow: shade_line_parts, both together.
-FN Vec3 shade_line(Surface s, Line line) { return both_parts(shade_line_parts(s, line)); }
+FN Vec3 shade_line(GIVEN(Surface) s, Line line) { return both_parts(shade_line_parts(s, line)); }
 
 /// A point of the line, evenly distributed over the angle that it spans at `position`, from a number
 /// in [0, 1) (equi-angular sampling: Kulla and Fajardo 2012, "Importance Sampling Techniques for Path

@@ -114,7 +114,7 @@ FN Vec3 mean_above_horizon(Lobe lobe) {
 FN Real eval_lobe(Lobe lobe, Vec3 wi_shading) {
   Vec3 o = to_cosine(lobe, wi_shading);
   // Two divisions by |o|^2 instead of one by |o|^4 keep single precision from overflowing.
-  Real inv_length2 = Real(1.0) / max(dot(o, o), Real(k_tiny));
+  Real inv_length2 = reciprocal(max(dot(o, o), Real(k_tiny)));
   return max(o.z, Real(0.0)) * inv_length2 * (lobe.det * inv_length2) * k_inv_pi;
 }
 

@@ -12,7 +12,7 @@
 //   Vec3 polygon_origin(Polygon)                 a point of its plane
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
-//   bool polygon_is_parallelogram(Polygon)       where that is known beforehand, as of quads of shader files
+//   bool polygon_is_parallelogram(Polygon)       of four corners; where that is known beforehand
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -77,6 +77,12 @@ FN Real polygon_exactness(Vec3 center, Real radius, Lobe lobe) {
   return select(above, exact, Real(1.0));
 }
 
+/// What the small form has of a polygon, of which `exact` is its edges' (polygon_exactness).
+FN Vec3 small_rest(SmallPolygon small, Lobe lobe, Real exact) {
+  return select(exact < Real(1.0), sum_small_polygon(small, lobe) * (Real(1.0) - exact),
+                Vec3(Real(0.0), Real(0.0), Real(0.0)));
+}
+
 /// EdgeSums.outline2 for what fades into the small form, which lies in one direction.
 FN Real small_outline2(EdgeSums sums, Real exact) {
   return Real(1.0) + (sums.outline2 - Real(1.0)) * exact;
@@ -102,6 +108,58 @@ FN SmallPolygon small_polygon(Polygon polygon, Vec3 center, Frame frame, Real h,
   return small;
 }
 
+/// What a point knows of a polygon before it asks a lobe.
+struct PolygonSight {
+  Real h;         ///< signed distance of its plane, along its normal
+  Real side;      ///< see lit_side
+  Vec3 to_center; ///< its centroid, from the point, world space
+  Real radius;    ///< around the centroid
+  bool large;     ///< whether no lane sees it small, in shading space or in any lobe's cosine space
+};
+
+/// Of a point at `position`, world space.
+FN PolygonSight see_polygon(Polygon polygon, Vec3 position) {
+  PolygonSight sight;
+  Vec3 to_origin = polygon_origin(polygon) - position;
+  sight.h = dot(to_origin, polygon_normal(polygon));
+  sight.side = lit_side(polygon, sight.h, to_origin);
+  sight.to_center = polygon_centroid(polygon) - position;
+  sight.radius = polygon_radius(polygon);
+  // What is not small in shading space is not in cosine space, where its radius counts as much longer as the
+  // distance can become.
+  sight.large = all_lanes(sight.radius * sight.radius >=
+                          Real(k_small_radius2) * dot(sight.to_center, sight.to_center));
+  return sight;
+}
+
+/// polygon_exactness of a polygon whose centroid is at `center`, shading space; what the plane with unit normal
+/// `front` may cut is summed by its edges, however small.
+FN Real exactness_in_front(Vec3 center, Real radius, Lobe lobe, bool cut, Vec3 front) {
+  Real exact = polygon_exactness(center, radius, lobe);
+  if (cut) {
+    exact = select(dot(front, center) > radius, exact, Real(1.0));
+  }
+  return exact;
+}
+
+/// The sums over its edges in whichever way suits its outline and what cuts it.
+FN EdgeSums sum_polygon_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h,
+                              bool cut, Vec3 front) {
+  if (one_lane()) {
+    if (polygon_is_parallelogram(polygon)) {
+      return sum_quad_in_one_lane(polygon, position, frame, lobe, h, cut, front);
+    }
+    return sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
+  }
+  if (cut) {
+    return sum_edges_in_front(polygon, position, frame, lobe, h, front);
+  }
+  if (polygon_point_count(polygon) == k_quad_points) {
+    return sum_quad_edges(polygon, position, frame, lobe, h);
+  }
+  return sum_edges(polygon, position, frame, lobe, h);
+}
+
 /// Integrals over a polygon seen from `position` (world space), for Lambert and for `lobe`. Zero
 /// behind a one-sided polygon and in the plane of any; whoever knows `position` less well than its
 /// last digit asks has_side (surface.glsl) as well. With `cut`, of what is in front of the plane with
@@ -112,27 +170,15 @@ FN SmallPolygon small_polygon(Polygon polygon, Vec3 center, Frame frame, Real h,
 /// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
 FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame frame, Lobe lobe,
                                         bool cut, Vec3 front) {
-  Vec3 normal = polygon_normal(polygon);
-  Vec3 to_origin = polygon_origin(polygon) - position;
-  Real h = dot(to_origin, normal);
-  Real side = lit_side(polygon, h, to_origin);
-  Vec3 to_center = polygon_centroid(polygon) - position;
-  Real radius = polygon_radius(polygon);
-  Vec3 center = to_center;
+  PolygonSight sight = see_polygon(polygon, position);
+  Vec3 center = sight.to_center;
   Real exact_diffuse = Real(1.0);
   Real exact_specular = Real(1.0);
-  // Uniform shortcut: what is not small in shading space is not in cosine space, where its radius
-  // counts as much longer as the distance can become.
-  if (!all_lanes(radius * radius >= Real(k_small_radius2) * dot(to_center, to_center))) {
-    center = to_shading(frame, to_center);
-    exact_diffuse = polygon_exactness(center, radius, cosine_lobe());
-    exact_specular = polygon_exactness(center, radius, lobe);
-    // What the plane may cut is summed by its edges, however small.
-    if (cut) {
-      Mask in_front = dot(front, center) > radius;
-      exact_diffuse = select(in_front, exact_diffuse, Real(1.0));
-      exact_specular = select(in_front, exact_specular, Real(1.0));
-    }
+  // Uniform shortcut.
+  if (!sight.large) {
+    center = to_shading(frame, sight.to_center);
+    exact_diffuse = exactness_in_front(center, sight.radius, cosine_lobe(), cut, front);
+    exact_specular = exactness_in_front(center, sight.radius, lobe, cut, front);
   }
 
   EdgeSums sums;
@@ -140,36 +186,68 @@ FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame fr
   sums.specular = sums.diffuse;
   sums.outline2 = Real(1.0);
   // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  Mask lit = side != Real(0.0);
+  Mask lit = sight.side != Real(0.0);
   if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
-    if (one_lane()) {
-      if (polygon_is_parallelogram(polygon)) {
-        sums = sum_quad_in_one_lane(polygon, position, frame, lobe, h, cut, front);
-      } else {
-        sums = sum_edges_in_one_lane(polygon, position, frame, lobe, cut, front);
-      }
-    } else if (cut) {
-      sums = sum_edges_in_front(polygon, position, frame, lobe, h, front);
-    } else if (polygon_point_count(polygon) == k_quad_points) {
-      sums = sum_quad_edges(polygon, position, frame, lobe, h);
-    } else {
-      sums = sum_edges(polygon, position, frame, lobe, h);
-    }
-    sums.diffuse = sums.diffuse * (side * exact_diffuse);
-    sums.specular = sums.specular * (side * exact_specular);
+    sums = sum_polygon_edges(polygon, position, frame, lobe, sight.h, cut, front);
+    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
+    sums.specular = sums.specular * (sight.side * exact_specular);
   }
   if (any_lane(lit && (exact_diffuse < Real(1.0) || exact_specular < Real(1.0)))) {
-    SmallPolygon small = small_polygon(polygon, center, frame, h, side);
-    Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-    sums.diffuse =
-        sums.diffuse + select(exact_diffuse < Real(1.0),
-                              sum_small_polygon(small, cosine_lobe()) * (Real(1.0) - exact_diffuse),
-                              none);
-    sums.specular =
-        sums.specular + select(exact_specular < Real(1.0),
-                               sum_small_polygon(small, lobe) * (Real(1.0) - exact_specular), none);
+    SmallPolygon small = small_polygon(polygon, center, frame, sight.h, sight.side);
+    sums.diffuse = sums.diffuse + small_rest(small, cosine_lobe(), exact_diffuse);
+    sums.specular = sums.specular + small_rest(small, lobe, exact_specular);
   }
   return light_integral(sums.diffuse, sums.specular, lobe, small_outline2(sums, exact_specular));
+}
+
+/// The integrals over a polygon for two lobes.
+struct TwoIntegrals {
+  LightIntegral first;  ///< and Lambert's
+  LightIntegral second; ///< its diffuse part is the first's
+};
+
+/// integrate_polygon_part for two lobes: corners and Lambert's sum serve both.
+FN TwoIntegrals integrate_polygon_twice(Polygon polygon, Vec3 position, Frame frame, Lobe first,
+                                        Lobe second, bool cut, Vec3 front) {
+  PolygonSight sight = see_polygon(polygon, position);
+  Vec3 center = sight.to_center;
+  Real exact_diffuse = Real(1.0);
+  Real exact_first = Real(1.0);
+  Real exact_second = Real(1.0);
+  // Uniform shortcut.
+  if (!sight.large) {
+    center = to_shading(frame, sight.to_center);
+    exact_diffuse = exactness_in_front(center, sight.radius, cosine_lobe(), cut, front);
+    exact_first = exactness_in_front(center, sight.radius, first, cut, front);
+    exact_second = exactness_in_front(center, sight.radius, second, cut, front);
+  }
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  EdgeSums a;
+  a.diffuse = none;
+  a.specular = none;
+  a.outline2 = Real(1.0);
+  EdgeSums b = a;
+  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
+  Mask lit = sight.side != Real(0.0);
+  Real most = max(exact_diffuse, max(exact_first, exact_second));
+  if (any_lane(lit && most > Real(0.0))) {
+    a = sum_polygon_edges(polygon, position, frame, first, sight.h, cut, front);
+    b = sum_polygon_edges(polygon, position, frame, second, sight.h, cut, front);
+    a.diffuse = a.diffuse * (sight.side * exact_diffuse);
+    a.specular = a.specular * (sight.side * exact_first);
+    b.specular = b.specular * (sight.side * exact_second);
+  }
+  Real least = min(exact_diffuse, min(exact_first, exact_second));
+  if (any_lane(lit && least < Real(1.0))) {
+    SmallPolygon small = small_polygon(polygon, center, frame, sight.h, sight.side);
+    a.diffuse = a.diffuse + small_rest(small, cosine_lobe(), exact_diffuse);
+    a.specular = a.specular + small_rest(small, first, exact_first);
+    b.specular = b.specular + small_rest(small, second, exact_second);
+  }
+  TwoIntegrals both;
+  both.first = light_integral(a.diffuse, a.specular, first, small_outline2(a, exact_first));
+  both.second = light_integral(a.diffuse, b.specular, second, small_outline2(b, exact_second));
+  return both;
 }
 
 /// The same over all of it.
@@ -180,8 +258,8 @@ FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, 
 
 /// And over what is in front of the plane with unit normal `front` (shading space). A call, so that nearly all
 /// groups of points, which no triangle cuts, need not carry it along.
-FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position, Frame frame,
-                                                 Lobe lobe, Vec3 front) {
+FN_CALL LightIntegral integrate_polygon_in_front(Polygon polygon, Vec3 position, GIVEN(Frame) frame,
+                                                 GIVEN(Lobe) lobe, Vec3 front) {
   ASSERT_THAT(is_unit(front));
   return integrate_polygon_part(polygon, position, frame, lobe, true, front);
 }
@@ -201,7 +279,7 @@ FN_CALL Heights polygon_heights(Polygon polygon, Vec3 position, Vec3 normal) {
 }
 
 /// Whether the plane of some lane's triangle may cut a polygon.
-FN bool triangle_may_cut(Surface s, Polygon polygon) {
+FN bool triangle_may_cut(GIVEN(Surface) s, Polygon polygon) {
   return s.tilted && any_lane(dot(s.geometric, polygon_centroid(polygon) - s.position) <
                               polygon_radius(polygon));
 }

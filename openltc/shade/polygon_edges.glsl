@@ -119,8 +119,8 @@ FN Corner select_corner(Mask m, Corner a, Corner b) {
 
 /// sum_edges of the polygon's part in front of the plane with unit normal `front` (shading space).
 /// Where an edge crosses it, an edge along it leads to the first such crossing; see front.glsl.
-FN_CALL EdgeSums sum_edges_in_front(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h,
-                                    Vec3 front) {
+FN_CALL EdgeSums sum_edges_in_front(Polygon polygon, Vec3 position, GIVEN(Frame) frame,
+                                    GIVEN(Lobe) lobe, Real h, Vec3 front) {
   Real s = apex_side(dot(frame.t2, polygon_normal(polygon)), h);
   Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   EdgeSums sums;

@@ -11,7 +11,7 @@ struct ExactPolygonSums {
 };
 
 /// The edge from a to b, shading space, added to both; inv_a, inv_b: 1 / their lengths.
-FN ExactPolygonSums add_both_edges(ExactView view, ExactPolygonSums sums, Vec3 a, Vec3 b,
+FN ExactPolygonSums add_both_edges(GIVEN(ExactView) view, ExactPolygonSums sums, Vec3 a, Vec3 b,
                                    Real inv_a, Real inv_b, Real apex, Real sign) {
   sums.diffuse = sums.diffuse + edge_term_above(a, b, apex, inv_a, inv_b) * sign;
   sums.contour = add_edge(view, sums.contour, a * inv_a, b * inv_b, sign);
@@ -19,7 +19,8 @@ FN ExactPolygonSums add_both_edges(ExactView view, ExactPolygonSums sums, Vec3 a
 }
 
 /// Over the edges of a polygon at signed distance h along its normal.
-FN_CALL ExactPolygonSums sum_exact_edges(Polygon polygon, Surface s, ExactView view, Real h) {
+FN_CALL ExactPolygonSums sum_exact_edges(Polygon polygon, GIVEN(Surface) s, GIVEN(ExactView) view,
+                                         Real h) {
   Real apex = apex_side(dot(s.frame.t2, polygon_normal(polygon)), h);
   ExactPolygonSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
@@ -41,8 +42,8 @@ FN_CALL ExactPolygonSums sum_exact_edges(Polygon polygon, Surface s, ExactView v
 
 /// sum_exact_edges of the polygon's part in front of the plane with unit normal `front` (shading space): see
 /// sum_edges_in_front.
-FN_CALL ExactPolygonSums sum_exact_edges_in_front(Polygon polygon, Surface s, ExactView view,
-                                                  Real h, Vec3 front) {
+FN_CALL ExactPolygonSums sum_exact_edges_in_front(Polygon polygon, GIVEN(Surface) s,
+                                                  GIVEN(ExactView) view, Real h, Vec3 front) {
   Real apex = apex_side(dot(s.frame.t2, polygon_normal(polygon)), h);
   ExactPolygonSums sums;
   sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
@@ -81,34 +82,47 @@ FN_CALL ExactPolygonSums sum_exact_edges_in_front(Polygon polygon, Surface s, Ex
   return sums;
 }
 
-/// Adds a part of a small polygon around p.
-FN ExactNodes add_exact_part(Surface s, ExactNodes nodes, Vec3 p, Real area_height) {
-  Real inv_p = inverse_length(p);
-  return add_exact_node(s, nodes, p * inv_p, (area_height * inv_p) * (inv_p * inv_p));
+/// Whether a polygon is nine points, not four: what lobes give nearly as well is not worth nine.
+FN bool takes_nine_points(GIVEN(Surface) s, Polygon polygon) {
+  return !s.adaptive && polygon_is_parallelogram(polygon);
 }
 
-/// The integral over a polygon as a surface sees it, its specular part that of GGX itself for F = 1.
-FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
+/// GGX itself over a polygon, by a few points of it; diffuse: see EdgeSums.
+FN ExactIntegral polygon_by_points(GIVEN(Surface) s, Polygon polygon, Vec3 center, Vec3 diffuse) {
+  Real alpha2 = s.alpha * s.alpha;
+  Real root2 = s.wo.z * s.wo.z * (Real(1.0) - alpha2) + alpha2;
+  Real root_o = root2 * inversesqrt(root2);
+  FewPoints sums;
+  if (takes_nine_points(s, polygon)) {
+    Vec3 b = polygon_point(polygon, 1);
+    sums = sum_nine_points(s, root_o, center,
+                           to_shading(s.frame, b - polygon_point(polygon, 0)) * Real(0.5),
+                           to_shading(s.frame, polygon_point(polygon, 2) - b) * Real(0.5));
+  } else {
+    sums = sum_four_points(s, root_o, center, to_shading(s.frame, polygon_spread_u(polygon)),
+                           to_shading(s.frame, polygon_spread_v(polygon)));
+  }
+  return integral_of_points(s, sums, Real(0.5) * diffuse.z);
+}
+
+/// The integral over a polygon as a surface sees it, its specular part that of GGX itself for F = 1; points: how much
+/// of it is a few points, see share_of_points.
+FN_CALL LightIntegral exact_polygon_integral(GIVEN(Surface) s, Polygon polygon, Real points) {
   Vec3 normal = polygon_normal(polygon);
-  Vec3 to_origin = polygon_origin(polygon) - s.position;
-  Real h = dot(to_origin, normal);
-  Real side = lit_side(polygon, h, to_origin);
-  Vec3 center = to_shading(s.frame, polygon_centroid(polygon) - s.position);
-  Real radius = polygon_radius(polygon);
+  PolygonSight sight = see_polygon(polygon, s.position);
+  Vec3 center = to_shading(s.frame, sight.to_center);
   Heights over = polygon_heights(polygon, s.position, s.frame.n);
   bool cut = triangle_may_cut(s, polygon);
   Vec3 front = front_shading(s);
-  Real exact_diffuse = polygon_exactness(center, radius, cosine_lobe());
-  Real exact_specular = outline_exactness(s, center, radius);
-  if (cut) {
-    Mask in_front = dot(front, center) > radius;
-    exact_diffuse = select(in_front, exact_diffuse, Real(1.0));
-    exact_specular = select(in_front, exact_specular, Real(1.0));
+  Real exact_diffuse = Real(1.0);
+  // Uniform shortcut.
+  if (!sight.large) {
+    exact_diffuse = exactness_in_front(center, sight.radius, cosine_lobe(), cut, front);
   }
 
   // All crossings of the horizon are within a right angle of the foot of the polygon's plane there.
-  Vec3 foot = to_shading(s.frame, normal) * h;
-  Real reach = sqrt(dot(center, center)) + radius;
+  Vec3 foot = to_shading(s.frame, normal) * sight.h;
+  Real reach = sqrt(dot(center, center)) + sight.radius;
   ExactView view =
       exact_view(s.wo, s.alpha, select(over.low <= Real(k_in_horizon) * reach, foot, center));
   Vec3 diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
@@ -116,34 +130,24 @@ FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
   specular.light = Real(0.0);
   specular.bias = Real(0.0);
   specular.direction = safe_direction(center);
-  Mask lit = side != Real(0.0) && over.high > Real(0.0);
-  if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
+  Mask lit = sight.side != Real(0.0) && over.high > Real(0.0);
+  if (any_lane(lit)) {
     ExactPolygonSums sums;
     if (cut) {
-      sums = sum_exact_edges_in_front(polygon, s, view, h, front);
+      sums = sum_exact_edges_in_front(polygon, s, view, sight.h, front);
     } else {
-      sums = sum_exact_edges(polygon, s, view, h);
+      sums = sum_exact_edges(polygon, s, view, sight.h);
     }
-    diffuse = sums.diffuse * (side * exact_diffuse);
-    specular = exact_integral(view, sums.contour, side);
+    diffuse = sums.diffuse * (sight.side * exact_diffuse);
+    specular = exact_integral(view, sums.contour, sight.side);
   }
-  if (any_lane(lit && (exact_diffuse < Real(1.0) || exact_specular < Real(1.0)))) {
-    SmallPolygon small;
-    small.center = center;
-    small.u = to_shading(s.frame, polygon_spread_u(polygon));
-    small.v = to_shading(s.frame, polygon_spread_v(polygon));
-    small.area_height = polygon_area(polygon) * abs(h) * abs(side);
-    Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-    diffuse = diffuse +
-              select(exact_diffuse < Real(1.0),
-                     sum_small_polygon(small, cosine_lobe()) * (Real(1.0) - exact_diffuse), none);
-    Real quarter = Real(0.25) * small.area_height;
-    ExactNodes parts = no_exact_nodes();
-    parts = add_exact_part(s, parts, center + small.u, quarter);
-    parts = add_exact_part(s, parts, center - small.u, quarter);
-    parts = add_exact_part(s, parts, center + small.v, quarter);
-    parts = add_exact_part(s, parts, center - small.v, quarter);
-    specular = mix_exact(s, specular, parts, exact_specular);
+  if (any_lane(exact_diffuse < Real(1.0))) {
+    SmallPolygon small = small_polygon(polygon, center, s.frame, sight.h, sight.side);
+    diffuse = diffuse + small_rest(small, cosine_lobe(), exact_diffuse);
+  }
+  if (any_lane(lit && points > Real(0.0))) {
+    ExactIntegral few = polygon_by_points(s, polygon, center, diffuse);
+    specular = mix_points_in(specular, few, points);
   }
 
   specular.light = select(lit, specular.light, Real(0.0));
@@ -155,17 +159,21 @@ FN_CALL LightIntegral exact_polygon_integral(Surface s, Polygon polygon) {
 }
 
 /// The integral where no triangle's plane cuts the polygon.
-FN LightIntegral whole_polygon_integral(Surface s, Polygon polygon) {
-  LightIntegral integral = integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
+FN LightIntegral whole_polygon_integral(GIVEN(Surface) s, Polygon polygon) {
+  LightIntegral integral;
   if (s.two) {
-    integral =
-        with_second_lobe(s, integral, integrate_polygon(polygon, s.position, s.frame, s.second));
+    TwoIntegrals both =
+        integrate_polygon_twice(polygon, s.position, s.frame, s.fitted.lobe, s.second, false,
+                                Vec3(Real(0.0), Real(0.0), Real(1.0)));
+    integral = with_second_lobe(s, both.first, both.second);
+  } else {
+    integral = integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
   }
   return unless_in_plane(s, polygon_origin(polygon), polygon_normal(polygon), integral);
 }
 
 /// The integral where triangle_may_cut, which most groups need not carry along.
-FN LightIntegral cut_polygon_integral(Surface s, Polygon polygon) {
+FN LightIntegral cut_polygon_integral(GIVEN(Surface) s, Polygon polygon) {
   Heights heights = polygon_heights(polygon, s.position, s.geometric);
   if (all_lanes(heights.low >= Real(0.0))) {
     return whole_polygon_integral(s, polygon);
@@ -182,7 +190,7 @@ FN LightIntegral cut_polygon_integral(Surface s, Polygon polygon) {
 }
 
 /// Both in one lane, which passes over what it does not need.
-FN LightIntegral polygon_integral_in_one_lane(Surface s, Polygon polygon) {
+FN LightIntegral polygon_integral_in_one_lane(GIVEN(Surface) s, Polygon polygon) {
   Vec3 front = front_shading(s);
   LightIntegral integral =
       integrate_polygon_part(polygon, s.position, s.frame, s.fitted.lobe, s.tilted, front);
@@ -197,38 +205,8 @@ FN LightIntegral polygon_integral_in_one_lane(Surface s, Polygon polygon) {
   return unless_in_plane(s, polygon_origin(polygon), polygon_normal(polygon), integral);
 }
 
-/// The integral over a polygon as an adaptive surface sees it: see exact_amount.
-FN LightIntegral adaptive_polygon_integral(Surface s, Polygon polygon) {
-  Vec3 center = to_shading(s.frame, polygon_centroid(polygon) - s.position);
-  Real amount = exact_amount(s, center, polygon_radius(polygon));
-  // Uniform shortcuts: all lanes are GGX itself, or none is.
-  if (all_lanes(amount >= Real(1.0))) {
-    return exact_polygon_integral(s, polygon);
-  }
-  LightIntegral lobes;
-  if (one_lane()) {
-    lobes = polygon_integral_in_one_lane(s, polygon);
-  } else if (triangle_may_cut(s, polygon)) {
-    lobes = cut_polygon_integral(s, polygon);
-  } else {
-    lobes = whole_polygon_integral(s, polygon);
-  }
-  lobes.weight = Real(-1.0);
-  if (any_lane(amount > Real(0.0))) {
-    return blend_exact(s, lobes, exact_polygon_integral(s, polygon), amount);
-  }
-  return lobes;
-}
-
-/// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
-/// without a side of the polygon. Uniform shortcut: no lane's triangle reaches the light.
-FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
-  if (s.exact) {
-    if (s.adaptive) {
-      return adaptive_polygon_integral(s, polygon);
-    }
-    return exact_polygon_integral(s, polygon);
-  }
+/// The integral by the lobes. Uniform shortcut: no lane's triangle reaches the light.
+FN LightIntegral lobes_polygon_integral(GIVEN(Surface) s, Polygon polygon) {
   if (one_lane()) {
     return polygon_integral_in_one_lane(s, polygon);
   }
@@ -238,23 +216,145 @@ FN LightIntegral surface_polygon_integral(Surface s, Polygon polygon) {
   return whole_polygon_integral(s, polygon);
 }
 
+/// Lambert's sum over the edges of a polygon above the horizon: see EdgeSums.
+FN Vec3 sum_whole_diffuse(Polygon polygon, Vec3 position, Frame frame) {
+  Vec3 sum = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 a = to_shading(frame, polygon_point(polygon, 0) - position);
+  Real inv_a = inverse_length(a);
+  if (polygon_point_count(polygon) == k_quad_points) {
+    Vec3 b = to_shading(frame, polygon_point(polygon, 1) - position);
+    Vec3 c = to_shading(frame, polygon_point(polygon, 2) - position);
+    Vec3 d = to_shading(frame, polygon_point(polygon, 3) - position);
+    Real inv_b = inverse_length(b);
+    Real inv_c = inverse_length(c);
+    Real inv_d = inverse_length(d);
+    return edge_term_scaled(a, b, b - a, inv_a, inv_b) +
+           edge_term_scaled(b, c, c - b, inv_b, inv_c) +
+           edge_term_scaled(c, d, d - c, inv_c, inv_d) +
+           edge_term_scaled(d, a, a - d, inv_d, inv_a);
+  }
+  int count = polygon_point_count(polygon);
+  for (int i = 1; i < count; ++i) {
+    Vec3 b = to_shading(frame, polygon_point(polygon, i) - position);
+    Real inv_b = inverse_length(b);
+    if (!polygon_starts_ring(polygon, i)) {
+      sum = sum + edge_term_scaled(a, b, b - a, inv_a, inv_b);
+    }
+    a = b;
+    inv_a = inv_b;
+  }
+  return sum;
+}
+
+/// The integral over a polygon above the horizon, its specular part that of GGX itself at a few points.
+FN LightIntegral polygon_integral_by_points(GIVEN(Surface) s, Polygon polygon) {
+  PolygonSight sight = see_polygon(polygon, s.position);
+  Vec3 center = to_shading(s.frame, sight.to_center);
+  Vec3 diffuse = sum_whole_diffuse(polygon, s.position, s.frame) * sight.side;
+  // Uniform shortcut.
+  if (!sight.large) {
+    Real exact = polygon_exactness(center, sight.radius, cosine_lobe());
+    SmallPolygon small = small_polygon(polygon, center, s.frame, sight.h, sight.side);
+    diffuse = diffuse * exact + small_rest(small, cosine_lobe(), exact);
+  }
+  ExactIntegral specular = polygon_by_points(s, polygon, center, diffuse);
+  LightIntegral integral = exact_light_integral(s, diffuse, specular);
+  return unless_in_plane(s, polygon_origin(polygon), polygon_normal(polygon), integral);
+}
+
+/// How much of a polygon is what, 0..1; the rest is lobes times their ratio.
+struct PolygonWays {
+  Real points; ///< GGX itself at a few points
+  Real exact;  ///< GGX itself along the outline, where `points` does not say more
+};
+
+/// Of a surface that is exact.
+FN PolygonWays ways_of_polygon(GIVEN(Surface) s, Polygon polygon) {
+  Vec3 center = to_shading(s.frame, polygon_centroid(polygon) - s.position);
+  Real radius = polygon_radius(polygon);
+  PolygonWays ways;
+  ways.points = share_of_points(s, center, radius, points_reach(s, takes_nine_points(s, polygon)));
+  // What the triangle's plane may cut is no points, without a step.
+  if (s.tilted) {
+    Real before = dot(front_shading(s), center) * reciprocal(max(radius, Real(k_tiny))) - Real(1.0);
+    ways.points = min(ways.points, max(before, Real(0.0)));
+  }
+  ways.exact = Real(1.0) - ways.points;
+  if (s.adaptive) {
+    ways.exact = min(exact_amount(s, center, radius), ways.exact);
+  }
+  return ways;
+}
+
+/// Whether some lane wants GGX itself of a polygon.
+FN bool wants_exact(PolygonWays ways) {
+  return any_lane(ways.points > Real(0.0) || ways.exact > Real(0.0));
+}
+
+/// The integral over a polygon as an exact surface wants it, where some lane does.
+FN LightIntegral wanted_polygon_integral(GIVEN(Surface) s, Polygon polygon, PolygonWays ways) {
+  LightIntegral ggx;
+  if (any_lane(ways.exact > Real(0.0))) {
+    Real all = ways.points + ways.exact;
+    ggx = exact_polygon_integral(s, polygon, ways.points * reciprocal(max(all, Real(k_tiny))));
+  } else {
+    ggx = polygon_integral_by_points(s, polygon);
+  }
+  // Uniform shortcut: no lane has lobes.
+  Real amount = ways.points + ways.exact;
+  if (all_lanes(amount >= Real(1.0))) {
+    return ggx;
+  }
+  return blend_exact(s, lobes_polygon_integral(s, polygon), ggx, amount);
+}
+
+/// The integral over a polygon as a surface sees it: what its triangle hides is left out, and all of it
+/// without a side of the polygon.
+FN LightIntegral surface_polygon_integral(GIVEN(Surface) s, Polygon polygon) {
+  LightIntegral integral;
+  if (s.exact) {
+    PolygonWays ways = ways_of_polygon(s, polygon);
+    if (wants_exact(ways)) {
+      return wanted_polygon_integral(s, polygon, ways);
+    }
+    integral = lobes_polygon_integral(s, polygon);
+    integral.weight = Real(-1.0);
+    return integral;
+  }
+  return lobes_polygon_integral(s, polygon);
+}
+
 /// Light that a surface reflects of a polygon of radiance 1, without shadow.
-FN ShadedLight shade_polygon_parts(Surface s, Polygon polygon) {
+FN ShadedLight shade_polygon_parts(GIVEN(Surface) s, Polygon polygon) {
   return shade_integral(s, surface_polygon_integral(s, polygon));
 }
 
+/// Light of a polygon that is a few points in all lanes.
+FN Vec3 shade_polygon_by_points(GIVEN(Surface) s, Polygon polygon) {
+  LightIntegral integral = polygon_integral_by_points(s, polygon);
+  return s.diffuse * integral.diffuse +
+         exact_reflectance(s, integral.weight, exact_light(s, integral));
+}
+
 /// Light that a surface reflects of it, for radiance 1 and without shadow: shade_polygon_parts, both together.
-/// Not by way of shade_polygon_parts, nor of surface_polygon_integral: where a compiler does not inline
+/// Not by way of shade_polygon_parts, nor of what it asks: where a compiler does not inline
 /// these, each copies the surface, 3 % of a quad's instructions.
-FN Vec3 shade_polygon(Surface s, Polygon polygon) {
+FN Vec3 shade_polygon(GIVEN(Surface) s, Polygon polygon) {
   if (s.exact) {
-    return both_parts(shade_integral(s, surface_polygon_integral(s, polygon)));
+    PolygonWays ways = ways_of_polygon(s, polygon);
+    if (all_lanes(ways.points >= Real(1.0))) {
+      return shade_polygon_by_points(s, polygon);
+    }
+    if (wants_exact(ways)) {
+      return both_parts(shade_integral(s, wanted_polygon_integral(s, polygon, ways)));
+    }
   }
+  Surface by_lobes = without_exact(s);
   if (one_lane()) {
-    return both_parts(shade_integral(s, polygon_integral_in_one_lane(s, polygon)));
+    return both_parts(shade_integral(by_lobes, polygon_integral_in_one_lane(by_lobes, polygon)));
   }
-  if (triangle_may_cut(s, polygon)) {
-    return both_parts(shade_integral(s, cut_polygon_integral(s, polygon)));
+  if (triangle_may_cut(by_lobes, polygon)) {
+    return both_parts(shade_integral(by_lobes, cut_polygon_integral(by_lobes, polygon)));
   }
-  return both_parts(shade_integral(s, whole_polygon_integral(s, polygon)));
+  return both_parts(shade_integral(by_lobes, whole_polygon_integral(by_lobes, polygon)));
 }

@@ -56,7 +56,7 @@ FN Heights sphere_heights(Sphere sphere, Vec3 position, Vec3 normal) {
 }
 
 /// The integral over a sphere with its specular part exact.
-FN_CALL LightIntegral exact_sphere_integral(Surface s, Sphere sphere) {
+FN_CALL LightIntegral exact_sphere_integral(GIVEN(Surface) s, GIVEN(Sphere) sphere) {
   Vec3 center = to_shading(s.frame, sphere.center - s.position);
   Real distance2 = dot(center, center);
   Vec3 axis = center * inversesqrt(max(distance2, Real(k_tiny)));
@@ -72,7 +72,7 @@ FN_CALL LightIntegral exact_sphere_integral(Surface s, Sphere sphere) {
 }
 
 /// The integral over a sphere as a surface sees it; see surface_polygon_integral.
-FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
+FN LightIntegral surface_sphere_integral(GIVEN(Surface) s, Sphere sphere) {
   Heights heights = no_heights();
   bool cut = false;
   if (s.tilted) {
@@ -100,12 +100,14 @@ FN LightIntegral surface_sphere_integral(Surface s, Sphere sphere) {
 }
 
 /// Light that a surface reflects of a sphere of radiance 1, without shadow.
-FN ShadedLight shade_sphere_parts(Surface s, Sphere sphere) {
+FN ShadedLight shade_sphere_parts(GIVEN(Surface) s, Sphere sphere) {
   return shade_integral(s, surface_sphere_integral(s, sphere));
 }
 
 /// Light that a surface reflects of it, for radiance 1 and without shadow: shade_sphere_parts, both together.
-FN Vec3 shade_sphere(Surface s, Sphere sphere) { return both_parts(shade_sphere_parts(s, sphere)); }
+FN Vec3 shade_sphere(GIVEN(Surface) s, Sphere sphere) {
+  return both_parts(shade_sphere_parts(s, sphere));
+}
 
 /// A sphere as a point sees it, for sampling by solid angle: its cone of directions.
 struct SeenSphere {

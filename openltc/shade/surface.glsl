@@ -101,7 +101,7 @@ FN Surface add_second_lobe(Surface s, SecondLobe second) {
 }
 
 /// Density of all the lobes above the horizon, 1 over the hemisphere.
-FN Real eval_lobes(Surface s, Vec3 wi) {
+FN Real eval_lobes(GIVEN(Surface) s, Vec3 wi) {
   Real density = s.inv_share * eval_lobe(s.fitted.lobe, wi);
   if (s.two) {
     density = density + s.second_inv_share * eval_lobe(s.second, wi);
@@ -110,7 +110,7 @@ FN Real eval_lobes(Surface s, Vec3 wi) {
 }
 
 /// The share that a light fills of all that the lobes have above the horizon, 0..1.
-FN Real filled_share(Surface s, LightIntegral integral) {
+FN Real filled_share(GIVEN(Surface) s, LightIntegral integral) {
   Real share = integral.specular * s.inv_share;
   if (s.two) {
     share = share + integral.second * s.second_inv_share;
@@ -120,14 +120,14 @@ FN Real filled_share(Surface s, LightIntegral integral) {
 
 /// What an integral of GGX itself has for F = 1, 0..1: the table's n1, which it is given as a share of, is no bound
 /// of it.
-FN Real exact_light(Surface s, LightIntegral integral) {
+FN Real exact_light(GIVEN(Surface) s, LightIntegral integral) {
   Real share = integral.specular * s.inv_share + integral.second * s.second_inv_share;
   return min(s.fitted.n1 * share, Real(1.0));
 }
 
 /// The integrals over a light with those of the second lobe, from an integral of that one as if it were
 /// the first. Mean direction and concentration are means, weighted by what each lobe has.
-FN LightIntegral with_second_lobe(Surface s, LightIntegral first, LightIntegral second) {
+FN LightIntegral with_second_lobe(GIVEN(Surface) s, LightIntegral first, LightIntegral second) {
   Real a = first.specular * s.inv_share;
   Real b = second.specular * s.second_inv_share;
   Real inv = reciprocal(max(a + b, Real(k_tiny)));
@@ -164,6 +164,13 @@ FN Surface make_adaptive(Surface s) {
   return s;
 }
 
+/// The same surface where no lane is GGX itself: one that asks its lobes alone.
+FN Surface without_exact(Surface s) {
+  s.exact = false;
+  s.adaptive = false;
+  return s;
+}
+
 /// Makes known the normal of the triangle that the point is on: unit, world space, on the viewer's side.
 FN Surface set_geometric_normal(Surface s, Vec3 geometric) {
   ASSERT_THAT(is_unit(geometric));
@@ -176,7 +183,7 @@ FN Surface set_geometric_normal(Surface s, Vec3 geometric) {
 /// Whether the triangle hides a point at `offset` from the shaded one, world space: it lies behind the
 /// triangle's plane, or in it as far as the shaded point is known. Nothing is hidden where the normals do
 /// not differ; there the horizon does it.
-FN Mask hidden_by_triangle(Surface s, Vec3 offset) {
+FN Mask hidden_by_triangle(GIVEN(Surface) s, Vec3 offset) {
   if (!s.tilted) {
     return Real(1.0) < Real(0.0);
   }
@@ -186,13 +193,14 @@ FN Mask hidden_by_triangle(Surface s, Vec3 offset) {
 
 /// Whether the point has a side of a flat light, whose plane holds `origin`: not on the emitter itself
 /// or on a wall flush with it, as far as its position is known. Without a side there is no light.
-FN Mask has_side(Surface s, Vec3 origin, Vec3 normal) {
+FN Mask has_side(GIVEN(Surface) s, Vec3 origin, Vec3 normal) {
   Vec3 to_origin = origin - s.position;
   return !lies_in_plane(dot(to_origin, normal), to_origin, s.position_error2);
 }
 
 /// An integral without what lanes have without a side of a flat light.
-FN LightIntegral unless_in_plane(Surface s, Vec3 origin, Vec3 normal, LightIntegral integral) {
+FN LightIntegral unless_in_plane(GIVEN(Surface) s, Vec3 origin, Vec3 normal,
+                                 LightIntegral integral) {
   Mask sided = has_side(s, origin, normal);
   integral.diffuse = select(sided, integral.diffuse, Real(0.0));
   integral.specular = select(sided, integral.specular, Real(0.0));
@@ -201,7 +209,7 @@ FN LightIntegral unless_in_plane(Surface s, Vec3 origin, Vec3 normal, LightInteg
 }
 
 /// An integral without what lanes have that see nothing of the light in front of the triangle's plane.
-FN LightIntegral unless_hidden(Surface s, Heights heights, LightIntegral integral) {
+FN LightIntegral unless_hidden(GIVEN(Surface) s, Heights heights, LightIntegral integral) {
   Mask seen = heights.high > Real(0.0) && heights.high * heights.high > s.position_error2;
   integral.diffuse = select(seen, integral.diffuse, Real(0.0));
   integral.specular = select(seen, integral.specular, Real(0.0));
@@ -210,15 +218,15 @@ FN LightIntegral unless_hidden(Surface s, Heights heights, LightIntegral integra
 }
 
 /// A part of the hemisphere reflects no more than the whole, s.specular.
-FN Vec3 within_albedo(Surface s, Vec3 part) {
+FN Vec3 within_albedo(GIVEN(Surface) s, Vec3 part) {
   return Vec3(min(part.x, s.specular.x), min(part.y, s.specular.y), min(part.z, s.specular.z));
 }
 
 /// The normal of the triangle in shading space.
-FN Vec3 front_shading(Surface s) { return to_shading(s.frame, s.geometric); }
+FN Vec3 front_shading(GIVEN(Surface) s) { return to_shading(s.frame, s.geometric); }
 
 /// The share `filled` of n1 with this weight of F90 over F0, within the albedo.
-FN Vec3 reflectance_of_weight(Surface s, Real weight, Real filled) {
+FN Vec3 reflectance_of_weight(GIVEN(Surface) s, Real weight, Real filled) {
   Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, Real(0.0)), Real(1.0));
   return within_albedo(s, fresnel * (s.fitted.n1 * filled));
 }
@@ -226,7 +234,7 @@ FN Vec3 reflectance_of_weight(Surface s, Real weight, Real filled) {
 /// What a light that fills this share of the lobe has of Schlick's weight beyond that in its mean
 /// direction: all of the whole lobe's, axis_weight, for one that fills it, and by the square of the share
 /// less for others, since it comes from the lobe's rim, which a light around its middle does not reach.
-FN Real weight_of_rim(Surface s, Real share) { return share * share * s.axis_weight; }
+FN Real weight_of_rim(GIVEN(Surface) s, Real share) { return share * share * s.axis_weight; }
 
 /// Schlick's weight in the light of a share of what the lobe has above the horizon, 0..1, which comes from around
 /// wi.
@@ -235,12 +243,12 @@ FN Real weight_of_rim(Surface s, Real share) { return share * share * s.axis_wei
 /// from the mirror direction the Fresnel reflectance of the mirror direction: twice too much and
 /// more on a dielectric seen at an angle. So Schlick's weight is taken at wi instead, plus weight_of_rim:
 /// exact for a small light, w(wi), and for one that fills the hemisphere, n5/n1.
-FN Real part_weight(Surface s, Vec3 wi, Real share) {
+FN Real part_weight(GIVEN(Surface) s, Vec3 wi, Real share) {
   return fresnel_weight(s.wo, wi) + weight_of_rim(s, share);
 }
 
 /// The reflectance of such a part by the lobe itself.
-FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
+FN Vec3 specular_reflectance(GIVEN(Surface) s, Vec3 wi, Real share) {
   return reflectance_of_weight(s, part_weight(s, wi, share), share);
 }
 
@@ -252,11 +260,11 @@ FN Vec3 specular_reflectance(Surface s, Vec3 wi, Real share) {
 ///   1 / (1 - w + w / r):
 /// at most 1 / (1 - w), so that a quotient of two small numbers does no harm where a light is large, and
 /// nearly r where the lobe glows and the BRDF does not. It is not additive: see docs/method.md.
-FN Real blended_ratio(Surface s, Vec3 wi, Real w) {
+FN Real blended_ratio(GIVEN(Surface) s, Vec3 wi, Real w) {
   Real lobe = s.fitted.n1 * eval_lobes(s, wi);
-  Real rho = min(eval_ggx_terms(s.wo, wi, s.alpha).scale, s.max_ratio * lobe);
+  Real rho = min(eval_ggx_scale(s.wo, wi, s.alpha), s.max_ratio * lobe);
   // 1 where both vanish.
-  return (rho + Real(k_tiny)) / (max(rho + w * (lobe - rho), Real(0.0)) + Real(k_tiny));
+  return (rho + Real(k_tiny)) * reciprocal(max(rho + w * (lobe - rho), Real(0.0)) + Real(k_tiny));
 }
 
 /// The weight of the BRDF in that: of a light that fills `share` of the lobe.
@@ -276,27 +284,32 @@ FN Vec3 both_parts(ShadedLight shaded) { return shaded.diffuse + shaded.specular
 /// What the n1 of a table may be off by, of itself: 5 % at 89 degrees from the normal.
 CONSTANT k_error_of_n1 = 0.06;
 
+/// Reflectance by GGX itself of what it has for F = 1, with this weight of F90 over F0: no more than the albedo with
+/// what the table's n1 may be off by, nor than the base leaves.
+FN Vec3 exact_reflectance(GIVEN(Surface) s, Real weight, Real light) {
+  Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(weight, Real(0.0)), Real(1.0));
+  Vec3 exact = fresnel * light;
+  Vec3 most = s.specular + s.f0 * (s.fitted.n1 * Real(k_error_of_n1));
+  return Vec3(min(exact.x, min(most.x, Real(1.0) - s.diffuse.x)),
+              min(exact.y, min(most.y, Real(1.0) - s.diffuse.y)),
+              min(exact.z, min(most.z, Real(1.0) - s.diffuse.z)));
+}
+
 /// Light of radiance 1 whose specular part has this weight of F90 over F0, and the share `filled` of n1; where the
 /// integral is that of GGX itself, its own.
-FN ShadedLight shade_filled(Surface s, LightIntegral integral, Real weight, Real filled) {
+FN ShadedLight shade_filled(GIVEN(Surface) s, LightIntegral integral, Real weight, Real filled) {
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   shaded.specular = reflectance_of_weight(s, weight, filled);
   if (s.exact) {
-    // No more than the albedo with what the table's n1 may be off by, nor than the base leaves.
-    Vec3 fresnel = s.f0 + (s.f90 - s.f0) * min(max(integral.weight, Real(0.0)), Real(1.0));
-    Vec3 exact = fresnel * exact_light(s, integral);
-    Vec3 most = s.specular + s.f0 * (s.fitted.n1 * Real(k_error_of_n1));
-    exact = Vec3(min(exact.x, min(most.x, Real(1.0) - s.diffuse.x)),
-                 min(exact.y, min(most.y, Real(1.0) - s.diffuse.y)),
-                 min(exact.z, min(most.z, Real(1.0) - s.diffuse.z)));
+    Vec3 exact = exact_reflectance(s, integral.weight, exact_light(s, integral));
     shaded.specular = select(integral.weight >= Real(0.0), exact, shaded.specular);
   }
   return shaded;
 }
 
 /// Light of radiance 1 in closed form, without shadow: its diffuse and its specular part.
-FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
+FN ShadedLight shade_integral(GIVEN(Surface) s, LightIntegral integral) {
   Real share = filled_share(s, integral);
   if (s.exact) {
     // Uniform shortcut: no lane's light is that of a lobe.
@@ -314,13 +327,13 @@ FN ShadedLight shade_integral(Surface s, LightIntegral integral) {
 
 /// The BRDF times cos_i for a direction of shading space: what the reference integrates. Exact but
 /// for k_d, whose definition holds the table's albedo.
-FN Vec3 eval_surface(Surface s, Vec3 wi_shading) {
+FN Vec3 eval_surface(GIVEN(Surface) s, Vec3 wi_shading) {
   return s.diffuse * eval_lambert(wi_shading) + eval_ggx(s.wo, wi_shading, s.alpha, s.f0, s.f90);
 }
 
 /// The LTC approximation of eval_surface, the limit of shade_polygon for a small light: Fresnel
 /// times n1 times the lobe's density above the horizon (docs/method.md, section 9).
-FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
+FN Vec3 eval_surface_ltc(GIVEN(Surface) s, Vec3 wi_shading) {
   // Clipped to the surface's horizon like the polygon integral.
   Real density = select(wi_shading.z > Real(0.0), eval_lobes(s, wi_shading), Real(0.0));
   Vec3 fresnel = s.f0 + (s.f90 - s.f0) * fresnel_weight(s.wo, wi_shading);
@@ -328,7 +341,7 @@ FN Vec3 eval_surface_ltc(Surface s, Vec3 wi_shading) {
 }
 
 /// Probability with which sample_surface draws from GGX rather than from the cosine.
-FN Real specular_probability(Surface s) {
+FN Real specular_probability(GIVEN(Surface) s) {
   Real specular = max(max(s.specular.x, s.specular.y), s.specular.z);
   Real diffuse = max(max(s.diffuse.x, s.diffuse.y), s.diffuse.z);
   // Neither technique may starve while it has something to find.
@@ -337,7 +350,7 @@ FN Real specular_probability(Surface s) {
 }
 
 /// Direction of shading space drawn from the BRDF; u.x also chooses between its two parts.
-FN Vec3 sample_surface(Surface s, Vec2 u) {
+FN Vec3 sample_surface(GIVEN(Surface) s, Vec2 u) {
   Real p = specular_probability(s);
   Mask specular = u.x < p;
   Real x = select(specular, u.x / p, (u.x - p) / max(Real(1.0) - p, Real(1.0e-6)));
@@ -346,7 +359,7 @@ FN Vec3 sample_surface(Surface s, Vec2 u) {
 }
 
 /// Density of sample_surface per solid angle.
-FN Real pdf_surface(Surface s, Vec3 wi_shading) {
+FN Real pdf_surface(GIVEN(Surface) s, Vec3 wi_shading) {
   Real p = specular_probability(s);
   return p * pdf_ggx(s.wo, wi_shading, s.alpha) + (Real(1.0) - p) * pdf_lambert(wi_shading);
 }

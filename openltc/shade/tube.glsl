@@ -108,8 +108,8 @@ FN TubeEnd turned_end(TubeEnd end) {
 /// One end. `center`, `away`: its centre and the unit direction out of it along the axis, shading
 /// space; `first`: whether it is the one at Tube.from, through which the outline runs from right to
 /// left; `whole`: whether this end is what points that are not beside the tube see.
-FN_CALL TubeEnd tube_end(Tube tube, TubeView view, Vec3 center, Vec3 away, bool first, Mask whole,
-                         Lobe lobe) {
+FN_CALL TubeEnd tube_end(GIVEN(Tube) tube, GIVEN(TubeView) view, Vec3 center, Vec3 away, bool first,
+                         Mask whole, GIVEN(Lobe) lobe) {
   Mask round = has_round_caps(tube);
   Real distance2 = dot(center, center);
   Vec3 direction = center * inversesqrt(max(distance2, Real(k_tiny)));
@@ -224,7 +224,8 @@ FN Vec3 tube_crossing(TubeEnds ends, Mask beside, Vec3 inside, Vec3 front) {
 
 /// Vector irradiance times 2 pi of a tube in the space that `lobe` leads to, by its outline; where
 /// `cut`, of its part in front of the plane with unit normal `front` (that space).
-FN_CALL Vec3 sum_tube_outline(Tube tube, TubeView view, Lobe lobe, Vec3 front, bool cut) {
+FN_CALL Vec3 sum_tube_outline(GIVEN(Tube) tube, GIVEN(TubeView) view, GIVEN(Lobe) lobe, Vec3 front,
+                              bool cut) {
   // Not beside the tube: in front of one of its ends.
   Mask see_from = sees_end(tube, view.from, dot(view.from, view.axis));
   Mask see_to = sees_end(tube, view.to, -dot(view.to, view.axis));
@@ -304,7 +305,8 @@ CONSTANT k_inv_thin_range_cut = 2000.0;
 /// the halves of its ends, which is wrong by the square of that radius. `heights`: over the plane with
 /// unit normal `front` (shading space); where that cuts it, `cut`, the strip would vanish all at once,
 /// and the outline, though less exact, serves for thinner ones.
-FN_CALL Vec3 sum_tube(Tube tube, TubeView view, Lobe lobe, Vec3 front, Heights heights, bool cut) {
+FN_CALL Vec3 sum_tube(GIVEN(Tube) tube, GIVEN(TubeView) view, GIVEN(Lobe) lobe, Vec3 front,
+                      GIVEN(Heights) heights, bool cut) {
   Real thickness = tube_thickness(tube, view, lobe);
   Real exact =
       min(max((thickness - Real(k_wholly_thin)) * Real(k_inv_thin_range), Real(0.0)), Real(1.0));

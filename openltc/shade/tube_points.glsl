@@ -47,7 +47,7 @@ FN Mask inside_tube(Tube tube, Vec3 position) {
 
 /// Where a ray from `position` along the unit `direction` meets the tube from outside. The density
 /// is that of sample_tube_by_area.
-FN_CALL LightPoint intersect_tube_by_area(Tube tube, Vec3 position, Vec3 direction) {
+FN_CALL LightPoint intersect_tube_by_area(GIVEN(Tube) tube, Vec3 position, Vec3 direction) {
   ASSERT_THAT(tube.radius >= Real(0.0));
   ASSERT_THAT(is_unit(direction));
   Vec3 from = tube.from - position;
@@ -95,7 +95,7 @@ FN_CALL LightPoint intersect_tube_by_area(Tube tube, Vec3 position, Vec3 directi
 
 /// A point evenly distributed over the tube's surface, from two numbers in [0, 1). Half of them lie
 /// on the far side and do not count as hit.
-FN_CALL LightPoint sample_tube_by_area(Tube tube, Vec3 position, Vec2 u) {
+FN_CALL LightPoint sample_tube_by_area(GIVEN(Tube) tube, Vec3 position, Vec2 u) {
   ASSERT_THAT(tube.radius >= Real(0.0));
   ASSERT_THAT(in_unit_square(u));
   Vec3 from = tube.from - position;
@@ -180,7 +180,7 @@ FN TubeInterval tube_interval(SeenTube seen, Real sin_psi, Real cos_psi) {
 }
 
 /// What `position`, world space, sees of a tube.
-FN_CALL SeenTube tube_seen(Tube tube, Vec3 position) {
+FN_CALL SeenTube tube_seen(GIVEN(Tube) tube, Vec3 position) {
   ASSERT_THAT(tube.radius >= Real(0.0));
   SeenTube seen;
   Vec3 from = tube.from - position;
@@ -245,7 +245,7 @@ FN_CALL SeenTube tube_seen(Tube tube, Vec3 position) {
 }
 
 /// Density per solid angle with which sample_tube draws a unit direction.
-FN_CALL Real tube_density(SeenTube seen, Vec3 position, Vec3 direction) {
+FN_CALL Real tube_density(GIVEN(SeenTube) seen, Vec3 position, Vec3 direction) {
   Real along = dot(direction, seen.axis);
   Real x = dot(direction, seen.toward);
   Real y = dot(direction, seen.across);
@@ -295,7 +295,7 @@ FN LightPoint intersect_tube(Tube tube, SeenTube seen, Vec3 position, Vec3 direc
 
 /// A point of the tube, from two numbers in [0, 1): by solid angle, or where that is not known over
 /// its area.
-FN_CALL LightPoint sample_tube(Tube tube, SeenTube seen, Vec3 position, Vec2 u) {
+FN_CALL LightPoint sample_tube(GIVEN(Tube) tube, GIVEN(SeenTube) seen, Vec3 position, Vec2 u) {
   LightPoint by_area = sample_tube_by_area(tube, position, u);
   // Uniform shortcut: no lane samples by solid angle.
   if (!any_lane(seen.known)) {

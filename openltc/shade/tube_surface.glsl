@@ -5,7 +5,7 @@
 // BRDF nor Schlick's weight is that of one direction.
 
 /// The integral over a tube as a surface sees it; see surface_polygon_integral.
-FN LightIntegral surface_tube_integral(Surface s, Tube tube) {
+FN LightIntegral surface_tube_integral(GIVEN(Surface) s, Tube tube) {
   Heights heights = no_heights();
   bool cut = false;
   if (s.tilted) {
@@ -45,7 +45,7 @@ FN Vec3 segment_end(Vec3 end, Vec3 horizon, Real radius) {
 }
 
 /// segment_ratio of that segment, whose ends, not yet lifted, are `from` and `to`, shading space.
-FN SegmentRatio tube_ratio(Surface s, Lobe lobe, Vec3 from, Vec3 to, Real radius, Real w) {
+FN SegmentRatio tube_ratio(GIVEN(Surface) s, Lobe lobe, Vec3 from, Vec3 to, Real radius, Real w) {
   Vec3 horizon = safe_direction(Vec3(lobe.m20, Real(0.0), lobe.m22));
   return segment_ratio(s, lobe, segment_end(from, horizon, radius),
                        segment_end(to, horizon, radius), w);
@@ -58,7 +58,7 @@ struct TubeRatio {
 };
 
 /// Both by the pieces of its axis.
-FN TubeRatio ratio_of_tube(Surface s, Tube tube, LightIntegral integral, Real share) {
+FN TubeRatio ratio_of_tube(GIVEN(Surface) s, Tube tube, LightIntegral integral, Real share) {
   Real w = ratio_weight(integral, share);
   Vec3 axis = safe_direction(tube.to - tube.from);
   Real reach = select(has_round_caps(tube), Real(k_round_reach) * tube.radius, Real(0.0));
@@ -85,7 +85,7 @@ FN TubeRatio ratio_of_tube(Surface s, Tube tube, LightIntegral integral, Real sh
 /// Reflected light of a tube of radiance 1: shade_integral, but for the ratio to the BRDF, which is the
 /// mean along it, and so is what Schlick's weight has beyond that in the mean direction. Of that direction
 /// the outline tells more: the thicker the tube, the less its axis.
-FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral) {
+FN ShadedLight shade_tube_integral(GIVEN(Surface) s, Tube tube, LightIntegral integral) {
   if (!s.corrected) {
     return shade_integral(s, integral);
   }
@@ -102,9 +102,9 @@ FN ShadedLight shade_tube_integral(Surface s, Tube tube, LightIntegral integral)
 }
 
 /// Light that a surface reflects of a tube of radiance 1, without shadow.
-FN ShadedLight shade_tube_parts(Surface s, Tube tube) {
+FN ShadedLight shade_tube_parts(GIVEN(Surface) s, Tube tube) {
   return shade_tube_integral(s, tube, surface_tube_integral(s, tube));
 }
 
 /// Light that a surface reflects of it, for radiance 1 and without shadow: shade_tube_parts, both together.
-FN Vec3 shade_tube(Surface s, Tube tube) { return both_parts(shade_tube_parts(s, tube)); }
+FN Vec3 shade_tube(GIVEN(Surface) s, Tube tube) { return both_parts(shade_tube_parts(s, tube)); }

@@ -118,7 +118,10 @@ private:
       take("(");
       while (ok() && peek() != ")") {
         Variable parameter;
+        const bool given = take_if("GIVEN");
+        if (given) take("(");
         parameter.type = word();
+        if (given) take(")");
         parameter.name = word();
         result.variables.push_back(std::move(parameter));
         if (peek() != ")") take(",");

@@ -45,6 +45,7 @@ struct PolygonView {
   const float* in_plane = nullptr; ///< point_count * 2: the same points in (axis_u, axis_v)
   int point_count = 0;             ///< every ring repeats its first point at its end
   bool two_sided = false;          ///< whether it emits against its normal too
+  bool parallelogram = false;      ///< whether it is one, of four corners
   float area = 0;                  ///< square metres
   float origin[3] = {0, 0, 0};     ///< a point of the plane, world space
   float axis_u[3] = {1, 0, 0};     ///< orthonormal with axis_v and normal

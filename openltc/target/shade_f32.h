@@ -32,6 +32,7 @@ using Scalar = float;
 #include "openltc/target/shade_all.inc"
 #undef FN
 #undef FN_CALL
+#undef GIVEN
 #undef CONSTANT
 #undef ASSERT_THAT
 

@@ -19,6 +19,7 @@ using Scalar = double;
 #include "openltc/target/shade_all.inc"
 #undef FN
 #undef FN_CALL
+#undef GIVEN
 #undef CONSTANT
 #undef ASSERT_THAT
 

@@ -21,7 +21,7 @@ struct ExactPolygon {
   const double* points = nullptr;
   const double* in_plane = nullptr;
   int point_count = 0;
-  bool two_sided = false;
+  bool two_sided = false, parallelogram = false;
   double area = 0, radius = 0;
   double origin[3], axis_u[3], axis_v[3], normal[3], centroid[3], spread_u[3], spread_v[3];
   const float* triangles = nullptr; // for sampling, which nobody asks for here
@@ -69,6 +69,7 @@ void shade_exact_quad(const double* numbers, double* out) {
   quad.points = points;
   quad.point_count = quarter > 0 ? 5 : 0;
   quad.two_sided = numbers[23] > 0;
+  quad.parallelogram = quarter > 0;
   quad.area = 4 * quarter;
   quad.radius = std::sqrt(std::max(dot(u + v, u + v), dot(u - v, u - v)));
   put(center, quad.origin);

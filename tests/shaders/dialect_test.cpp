@@ -106,6 +106,11 @@ TEST_CASE("variables have no name that a language keeps for itself") {
         "fn x_f(line: f32, from_: f32, sample: f32) -> f32 { return line + from_ + sample; }\n");
 }
 
+TEST_CASE("arguments that C++ passes by reference are values") {
+  CHECK(written(Language::glsl, "FN_CALL Real f(GIVEN(Surface) s, Real a) { return a; }") ==
+        written(Language::glsl, "FN_CALL Real f(Surface s, Real a) { return a; }"));
+}
+
 TEST_CASE("what is known beforehand is decided") {
   // One lobe, no exact mode, one lane.
   CHECK(written(Language::glsl,

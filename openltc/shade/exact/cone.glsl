@@ -12,7 +12,8 @@ FN Vec3 cone_direction(Cone cone, Real c, Real s) {
 
 /// The arc of the circle through the unit vectors a, c and b, c in its middle. It is a rational curve of degree 2,
 /// as an edge is.
-FN ContourSums add_circle_arc(ExactView view, ContourSums sums, Vec3 a, Vec3 c, Vec3 b, Real sign) {
+FN ContourSums add_circle_arc(GIVEN(ExactView) view, GIVEN(ContourSums) sums, Vec3 a, Vec3 c,
+                              Vec3 b, Real sign) {
   Vec3 ac = c - a;
   Vec3 cb = b - c;
   Vec3 ab = b - a;
@@ -26,8 +27,10 @@ FN ContourSums add_circle_arc(ExactView view, ContourSums sums, Vec3 a, Vec3 c, 
 
 /// Along the outline from `first`, its point at the parameter `start`, to `last`, at `extent` more, in that many
 /// arcs of circles, which the outline of a round cone is made of, times `sign`.
-FN_CALL ContourSums add_cone_arcs(ExactView view, ContourSums sums, Cone cone, Real start,
-                                  Real extent, Vec3 first, Vec3 last, int arcs, Real sign) {
+FN_CALL ContourSums add_cone_arcs(GIVEN(ExactView) view, GIVEN(ContourSums) so_far,
+                                  GIVEN(Cone) cone, Real start, Real extent, Vec3 first, Vec3 last,
+                                  int arcs, Real sign) {
+  ContourSums sums = so_far;
   Real c = cos(start);
   Real n = sin(start);
   Real step = extent * Real(0.5 / float(arcs));
@@ -53,13 +56,14 @@ FN_CALL ContourSums add_cone_arcs(ExactView view, ContourSums sums, Cone cone, R
 }
 
 /// Closes what begins at the direction a, and runs to b, by arcs of the horizon, times `sign`.
-FN ContourSums close_at_horizon(ExactView view, ContourSums sums, Vec3 a, Vec3 b, Real sign) {
+FN ContourSums close_at_horizon(GIVEN(ExactView) view, ContourSums sums, Vec3 a, Vec3 b,
+                                Real sign) {
   sums = add_horizon_arc(view, sums, conic_point(view, a, Real(1.0)), sign);
   return add_horizon_arc(view, sums, conic_point(view, b, Real(1.0)), -sign);
 }
 
 /// The light of a cone of directions in that many arcs of circles, which a round one is made of.
-FN_CALL ExactIntegral exact_cone(Surface s, Cone cone, int arcs) {
+FN_CALL ExactIntegral exact_cone(GIVEN(Surface) s, GIVEN(Cone) cone, int arcs) {
   Arc above = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
   Mask whole = above.extent > Real(k_full_turn);
   Real start = select(whole, Real(0.0), above.start);
@@ -100,7 +104,7 @@ FN_CALL ExactIntegral exact_cone(Surface s, Cone cone, int arcs) {
 }
 
 /// The integrals over a cone of directions, its specular part that of GGX itself for F = 1.
-FN LightIntegral exact_cone_integral(Surface s, Cone cone, int arcs) {
+FN LightIntegral exact_cone_integral(GIVEN(Surface) s, Cone cone, int arcs) {
   Vec3 diffuse = clipped_cone(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
   ExactIntegral specular = exact_cone(s, cone, arcs);
   return exact_light_integral(s, diffuse, specular);

@@ -98,7 +98,7 @@ struct ConicPoint {
 };
 
 /// The point in the direction q, shading space, whose length is l.
-FN ConicPoint conic_point(ExactView view, Vec3 q, Real l) {
+FN ConicPoint conic_point(GIVEN(ExactView) view, Vec3 q, Real l) {
   ConicPoint p;
   p.r = Vec3(q.y * view.start_y - q.x * view.start_x, q.y * view.start_x + q.x * view.start_y, q.z);
   p.l = l;

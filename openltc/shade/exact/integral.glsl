@@ -11,7 +11,7 @@ struct ExactIntegral {
 };
 
 /// From the sums along an outline that runs counter-clockwise for side = 1, clockwise for -1.
-FN ExactIntegral exact_integral(ExactView view, ContourSums sums, Real side) {
+FN ExactIntegral exact_integral(GIVEN(ExactView) view, GIVEN(ContourSums) sums, Real side) {
   Vec3 v = sums.visible * side;
   Real visible = max(view.alpha * view.sin_o * v.x + view.cos_o * v.z, Real(0.0));
   // B^-1 V, times alpha.
@@ -46,7 +46,7 @@ FN ExactNodes no_exact_nodes() {
 }
 
 /// Adds what of f_s cos_i comes from the direction wi, shading space, in that solid angle.
-FN ExactNodes add_exact_node(Surface s, ExactNodes nodes, Vec3 wi, Real solid_angle) {
+FN ExactNodes add_exact_node(GIVEN(Surface) s, ExactNodes nodes, Vec3 wi, Real solid_angle) {
   GgxTerms terms = eval_ggx_terms(s.wo, wi, s.alpha);
   Real scale = terms.scale * solid_angle;
   nodes.scale = nodes.scale + scale;
@@ -56,7 +56,7 @@ FN ExactNodes add_exact_node(Surface s, ExactNodes nodes, Vec3 wi, Real solid_an
 }
 
 /// What of a light is its outline and what, 1 - exact, nodes.
-FN ExactIntegral mix_exact(Surface s, ExactIntegral outline, ExactNodes nodes, Real exact) {
+FN ExactIntegral mix_exact(GIVEN(Surface) s, ExactIntegral outline, ExactNodes nodes, Real exact) {
   Real rest = Real(1.0) - exact;
   Mask some = rest > Real(0.0);
   Mask all = exact <= Real(0.0);
@@ -81,7 +81,7 @@ CONSTANT k_inv_four_points_range = 50.0;
 
 /// How much of the integral along its outline a light wants, 0 to 1, of that centre, shading space, and radius:
 /// see polygon_exactness.
-FN Real outline_exactness(Surface s, Vec3 center, Real radius) {
+FN Real outline_exactness(GIVEN(Surface) s, Vec3 center, Real radius) {
   Real inv_length = inverse_length(center);
   Vec3 sum = center * inv_length + s.wo;
   Real g2 = sum.x * sum.x + sum.y * sum.y + s.alpha * s.alpha * sum.z * sum.z;
@@ -100,13 +100,13 @@ CONSTANT k_narrow_lobe = 0.03;
 CONSTANT k_inv_narrow_lobe_range = 16.7;
 
 /// From the diffuse vector irradiance times 2 pi and the exact specular light.
-FN LightIntegral exact_light_integral(Surface s, Vec3 diffuse, ExactIntegral specular) {
+FN LightIntegral exact_light_integral(GIVEN(Surface) s, Vec3 diffuse, ExactIntegral specular) {
   LightIntegral integral;
   integral.diffuse = min(max(diffuse.z * k_half_inv_pi, Real(0.0)), Real(1.0));
   integral.diffuse_direction = safe_direction(diffuse);
   // The same of either lobe, so that together they have this share.
   Real all = s.fitted.n1 * (s.inv_share + s.second_inv_share);
-  integral.specular = specular.light / max(all, Real(k_tiny));
+  integral.specular = specular.light * reciprocal(max(all, Real(k_tiny)));
   integral.second = integral.specular;
   integral.specular_direction = specular.direction;
   integral.first_direction = specular.direction;
@@ -116,7 +116,7 @@ FN LightIntegral exact_light_integral(Surface s, Vec3 diffuse, ExactIntegral spe
   Real wide = min(max((s.alpha - Real(k_narrow_lobe)) * Real(k_inv_narrow_lobe_range), Real(0.0)),
                   Real(1.0));
   Real at_mean = part_weight(s, specular.direction, filled_share(s, integral));
-  Real mean = min(specular.bias / max(specular.light, Real(k_tiny)), Real(1.0));
+  Real mean = min(specular.bias * reciprocal(max(specular.light, Real(k_tiny))), Real(1.0));
   integral.weight = max(at_mean + (mean - at_mean) * wide, Real(0.0));
   return integral;
 }
@@ -134,56 +134,4 @@ FN LightIntegral lobe_where(Mask m, LightIntegral lobe, LightIntegral exact) {
   integral.concentration = select(m, lobe.concentration, exact.concentration);
   integral.weight = select(m, Real(-1.0), exact.weight);
   return integral;
-}
-
-/// Cosine of the view angle from which on no light is GGX itself on an adaptive dielectric,
-CONSTANT k_lobes_cos = 0.45;
-/// how much later that is on a white metal, where more is seen of it,
-CONSTANT k_lobes_cos_of_f0 = 0.15;
-/// and 1 over what lies between that and where large lights are nothing else.
-CONSTANT k_inv_exact_cos_range = 5.0;
-/// Angular radius of a light, over how far half vectors turn before the distribution falls, up to which none is,
-CONSTANT k_large_light = 0.5;
-/// and 1 over what lies between that and where all of it is.
-CONSTANT k_inv_large_light_range = 2.0;
-
-/// How much of a light is to be GGX itself on an adaptive surface, 0..1, of that centre, shading space, and radius.
-/// What the lobes do not know of the distribution, a small light does not see, and the ratio mends: there they are
-/// as exact and cost less.
-FN Real exact_amount(Surface s, Vec3 center, Real radius) {
-  Real f0 = max(max(s.f0.x, s.f0.y), s.f0.z);
-  Real lobes_cos = Real(k_lobes_cos) + Real(k_lobes_cos_of_f0) * f0;
-  Real grazing = (lobes_cos - s.wo.z) * Real(k_inv_exact_cos_range);
-  Real inv_length = inverse_length(center);
-  Vec3 sum = center * inv_length + s.wo;
-  Real g2 = sum.x * sum.x + sum.y * sum.y + s.alpha * s.alpha * sum.z * sum.z;
-  Real reach = radius * inv_length * inversesqrt(max(g2, Real(k_tiny)));
-  Real large = (reach - Real(k_large_light)) * Real(k_inv_large_light_range);
-  return min(max(min(grazing, large), Real(0.0)), Real(1.0));
-}
-
-/// The lobes' integral, times their ratio, as far as it is not that amount of the exact one: an exact one where
-/// there is any amount, and else the lobes' own.
-FN LightIntegral blend_exact(Surface s, LightIntegral lobes, LightIntegral exact, Real amount) {
-  Real rest = Real(1.0) - amount;
-  Real share = filled_share(s, lobes);
-  Real ratio = blended_ratio(s, lobes.specular_direction, ratio_weight(lobes, share));
-  Real of_lobes = s.fitted.n1 * min(share * ratio, Real(1.0)) * rest;
-  Real of_exact = exact_light(s, exact) * amount;
-  Real both = of_lobes + of_exact;
-  Real inv = reciprocal(max(both, Real(k_tiny)));
-  LightIntegral blend;
-  blend.diffuse = lobes.diffuse * rest + exact.diffuse * amount;
-  blend.diffuse_direction =
-      safe_direction(lobes.diffuse_direction * rest + exact.diffuse_direction * amount);
-  blend.specular = both / max(s.fitted.n1 * (s.inv_share + s.second_inv_share), Real(k_tiny));
-  blend.second = blend.specular;
-  blend.specular_direction = safe_direction(lobes.specular_direction * (of_lobes * inv) +
-                                            exact.specular_direction * (of_exact * inv));
-  blend.first_direction = blend.specular_direction;
-  blend.second_direction = blend.specular_direction;
-  blend.concentration = Real(0.0);
-  Real weight = max(part_weight(s, lobes.specular_direction, share), Real(0.0));
-  blend.weight = (weight * of_lobes + exact.weight * of_exact) * inv;
-  return lobe_where(amount <= Real(0.0), lobes, blend);
 }

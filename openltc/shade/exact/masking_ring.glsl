@@ -20,7 +20,7 @@
 // c. What counts is W(z) times it beyond that of the mirror direction.
 
 /// W(z) = f_s cos_i / D of Smith's height-correlated masking.
-FN Real masking_of_height(ExactView view, Real z) {
+FN Real masking_of_height(GIVEN(ExactView) view, Real z) {
   Real root2 = z * z * (Real(1.0) - view.alpha2) + view.alpha2;
   Real root = root2 * inversesqrt(root2);
   return Real(0.5) * z * reciprocal(max(z * view.root_o + view.cos_o * root, Real(k_tiny)));
@@ -37,7 +37,7 @@ struct Ring {
 
 /// The ring at height z, where the sine is sin_i. Nothing cancels:
 ///   A^2 - b^2 = u^2 ((z - cos_o)^2 + 2 alpha^2 (sin_o^2 + sin_i^2) + alpha^4 u^2).
-FN Ring ring_at(ExactView view, Real z, Real sin_i) {
+FN Ring ring_at(GIVEN(ExactView) view, Real z, Real sin_i) {
   Real u = view.cos_o + z;
   Real u2 = u * u;
   Real sin2 = view.sin_o * view.sin_o + sin_i * sin_i;
@@ -60,37 +60,32 @@ struct RingPart {
   Real begin;    ///< and at its beginning
   Real turned;   ///< sine at the end times e at the beginning less the reverse, over b
   Real inv_root; ///< 1 / sqrt(A^2 - b^2)
+  Real inv_ends; ///< 1 / (end begin)
   HalfTurn turn; ///< half of the angle
   HalfTurn at;   ///< half of the azimuth of its end, from the mirror's
 };
 
-/// Angle of (x, y) from the x axis, -pi..pi, to 3e-7.
-FN Real ring_angle(Real x, Real y) {
-  Real ax = abs(x);
-  Real ay = abs(y);
-  Real larger = max(ax, ay);
-  Real angle = atan_unit(min(ax, ay) * reciprocal(max(larger, Real(k_tiny))));
-  angle = select(ay > ax, Real(0.5) * k_pi - angle, angle);
-  angle = select(x < Real(0.0), k_pi - angle, angle);
-  return select(y < Real(0.0), -angle, angle);
-}
-
 /// (x, y): the azimuth of the end, from the axis at which rings begin, unit.
-FN RingPart ring_part(ExactView view, Ring ring, Real x, Real y) {
+///
+/// The integral of 1 / e is the angle between (sqrt(A - b) cos, sqrt(A + b) sin) of half the azimuths of either end,
+/// whose squared lengths are e there.
+FN RingPart ring_part(GIVEN(ExactView) view, Ring ring, Real x, Real y) {
   RingPart part;
   part.turn = half_turn(x, y);
-  part.angle = Real(2.0) * ring_angle(part.turn.c, part.turn.s);
+  part.angle = Real(2.0) * part.turn.s * acute_over_sin(part.turn.c);
   part.at.c = view.half_cos * part.turn.c - view.half_sin * part.turn.s;
   part.at.s = view.half_sin * part.turn.c + view.half_cos * part.turn.s;
   Real less_c = ring.less * part.at.c;
   Real more_s = ring.more * part.at.s;
-  part.inv_root = inversesqrt(max(ring.product, Real(k_tiny)));
-  part.inverse = Real(2.0) * part.inv_root *
-                 ring_angle(less_c * view.half_cos + more_s * view.half_sin,
-                            ring.product * part.inv_root * part.turn.s);
   part.end = less_c * part.at.c + more_s * part.at.s;
   part.begin =
       ring.less * (view.half_cos * view.half_cos) + ring.more * (view.half_sin * view.half_sin);
+  part.inv_root = inversesqrt(max(ring.product, Real(k_tiny)));
+  Real inv_both = inversesqrt(max(part.end * part.begin, Real(k_tiny)));
+  part.inv_ends = inv_both * inv_both;
+  part.inverse = Real(2.0) * part.inv_root *
+                 angle_of_unit((less_c * view.half_cos + more_s * view.half_sin) * inv_both,
+                               ring.product * part.inv_root * part.turn.s * inv_both);
   part.turned = Real(2.0) * part.turn.s * (less_c * view.half_cos - more_s * view.half_sin);
   return part;
 }
@@ -106,11 +101,10 @@ struct RingPowers {
 };
 
 /// Over that part.
-FN RingPowers part_powers(ExactView view, Ring ring, RingPart part) {
+FN RingPowers part_powers(GIVEN(ExactView) view, Ring ring, RingPart part) {
   Real b = Real(0.5) * (ring.more - ring.less);
   RingPowers powers;
-  powers.less2 = (ring.mean * part.inverse +
-                  b * (part.turned * reciprocal(max(part.end * part.begin, Real(k_tiny))))) *
+  powers.less2 = (ring.mean * part.inverse + b * (part.turned * part.inv_ends)) *
                  (part.inv_root * part.inv_root);
   powers.less1 = part.inverse;
   powers.angle = part.angle;
@@ -158,13 +152,13 @@ struct RingLight {
 };
 
 /// From the integrals over a part of a ring of height z. pi D / alpha^2 = (c / e)^2, c = e + k.
-FN RingLight ring_light(ExactView view, Ring ring, RingPowers powers, Real z) {
+FN RingLight ring_light(GIVEN(ExactView) view, Ring ring, RingPowers powers, Real z) {
   Real k = ring.k;
   Real c1 = powers.less1 + k * powers.less2;        // of c / e^2
   Real c2 = powers.angle + k * (powers.less1 + c1); // of c^2 / e^2
   Real c3 =
       powers.more1 + k * (powers.angle + k * powers.less1 + powers.angle + c2); // of c^3 / e^2
-  Real inv_c2 = select(abs(c2) > Real(k_tiny), Real(1.0) / c2, Real(0.0));
+  Real inv_c2 = select(abs(c2) > Real(k_tiny), reciprocal(c2), Real(0.0));
   Real weight = mean_weight(c1 * inv_c2, c3 * inv_c2, powers.low + k, powers.high + k);
   Real masking = masking_of_height(view, z);
   Real d = view.alpha2 * c2;
@@ -175,7 +169,7 @@ FN RingLight ring_light(ExactView view, Ring ring, RingPowers powers, Real z) {
 }
 
 /// A node of the integral from an edge to the normal at v, of weight w; width: of the peak at cos_o.
-FN ContourSums add_cap_node(ExactView view, ContourSums sums, Real width, Real v, Real w) {
+FN ContourSums add_cap_node(GIVEN(ExactView) view, ContourSums sums, Real width, Real v, Real w) {
   Real inv = reciprocal(max(Real(1.0) - v * v, Real(1.0e-6)));
   Real z = min(max(view.cos_o + Real(2.0) * width * v * inv, Real(0.0)), Real(1.0));
   Real sin2 = max(Real(1.0) - z * z, Real(k_tiny));
@@ -189,13 +183,14 @@ FN ContourSums add_cap_node(ExactView view, ContourSums sums, Real width, Real v
 }
 
 /// Where z is in units in which the peak of whole_ring at cos_o is wide.
-FN Real cap_place(ExactView view, Real width, Real z) {
+FN Real cap_place(GIVEN(ExactView) view, Real width, Real z) {
   Real x = (z - view.cos_o) / width;
   return x / (Real(1.0) + sqrt(Real(1.0) + x * x));
 }
 
 /// The integral of whole rings from height z to the normal, times `sign`: 8 nodes of Gauss.
-FN_CALL ContourSums add_cap(ExactView view, ContourSums sums, Real z, Real sign) {
+FN_CALL ContourSums add_cap(GIVEN(ExactView) view, GIVEN(ContourSums) so_far, Real z, Real sign) {
+  ContourSums sums = so_far;
   Real width = max(Real(2.0) * view.alpha *
                        sqrt(view.sin_o * view.sin_o + view.alpha2 * view.cos_o * view.cos_o),
                    Real(0.01));
@@ -221,7 +216,9 @@ FN_CALL ContourSums add_cap(ExactView view, ContourSums sums, Real z, Real sign)
 }
 
 /// The contour integral of g x dg / |g|^2 along the horizon from the azimuth at which rings begin to that of q.
-FN_CALL ContourSums add_horizon_arc(ExactView view, ContourSums sums, ConicPoint q, Real sign) {
+FN_CALL ContourSums add_horizon_arc(GIVEN(ExactView) view, GIVEN(ContourSums) so_far,
+                                    GIVEN(ConicPoint) q, Real sign) {
+  ContourSums sums = so_far;
   Ring ring = ring_at(view, Real(0.0), Real(1.0));
   Real inv_r = inversesqrt(max(q.r.x * q.r.x + q.r.y * q.r.y, Real(k_tiny)));
   RingPart part = ring_part(view, ring, q.r.x * inv_r, q.r.y * inv_r);

@@ -54,7 +54,7 @@ struct ConicTerms {
 };
 
 /// Rings at the node t of an edge, of weight w.
-FN ContourSums add_ring_node(ExactView view, ContourSums sums, EdgePass pass, ConicTerms arc,
+FN ContourSums add_ring_node(GIVEN(ExactView) view, ContourSums sums, EdgePass pass, ConicTerms arc,
                              Real t, Real w) {
   Vec3 r_slope = arc.r1 + arc.r2 * t;
   Real l_slope = arc.l1 + arc.l2 * t;
@@ -116,7 +116,7 @@ CONSTANT k_gathering_by_climb = 0.1;
 CONSTANT k_most_gathering = 0.6;
 
 /// Of an arc between those heights, 0..1.
-FN RingNodes ring_nodes(ExactView view, Real begin, Real end) {
+FN RingNodes ring_nodes(GIVEN(ExactView) view, Real begin, Real end) {
   RingNodes nodes;
   nodes.falls = end < begin;
   Real low = max(min(begin, end), Real(0.0));
@@ -128,8 +128,8 @@ FN RingNodes ring_nodes(ExactView view, Real begin, Real end) {
 }
 
 /// Rings at the node of Gauss at x, counted from the lower end, of weight w: t = x (1 - gather + gather x^2).
-FN ContourSums add_gathered_node(ExactView view, ContourSums sums, EdgePass pass, ConicTerms arc,
-                                 RingNodes nodes, Real x, Real w) {
+FN ContourSums add_gathered_node(GIVEN(ExactView) view, GIVEN(ContourSums) sums, EdgePass pass,
+                                 ConicTerms arc, RingNodes nodes, Real x, Real w) {
   Real even = Real(1.0) - nodes.gather;
   Real part = nodes.gather * (x * x);
   Real t = x * (even + part);
@@ -138,7 +138,7 @@ FN ContourSums add_gathered_node(ExactView view, ContourSums sums, EdgePass pass
 }
 
 /// Rings along an arc, times `sign`: three nodes of Gauss.
-FN ContourSums add_rings(ExactView view, ContourSums sums, EdgePass pass, ConicTerms arc,
+FN ContourSums add_rings(GIVEN(ExactView) view, ContourSums sums, EdgePass pass, ConicTerms arc,
                          RingNodes nodes, Real sign) {
   Real outer = sign * Real(0.2777777777777778);
   sums = add_gathered_node(view, sums, pass, arc, nodes, Real(0.1127016653792583), outer);
@@ -181,9 +181,11 @@ FN ArcHalves halves_of(Vec3 p, Vec3 m, Vec3 q) {
 }
 
 /// Rings along the halves of the arc of p, m, q, times `sign`.
-FN_CALL ContourSums add_rings_of_halves(ExactView view, ContourSums sums, EdgePass pass,
-                                        ConicPoint p, ConicPoint m, ConicPoint q, ArcHalves halves,
-                                        Real begin, Real end, Real sign) {
+FN_CALL ContourSums add_rings_of_halves(GIVEN(ExactView) view, GIVEN(ContourSums) so_far,
+                                        GIVEN(EdgePass) pass, GIVEN(ConicPoint) p,
+                                        GIVEN(ConicPoint) m, GIVEN(ConicPoint) q,
+                                        GIVEN(ArcHalves) halves, Real begin, Real end, Real sign) {
+  ContourSums sums = so_far;
   ConicPoint before = mix_points(p, m, halves.t);
   ConicPoint after = mix_points(m, q, halves.t);
   ConicPoint middle = scale_point(mix_points(before, after, halves.t), halves.inv_g);
@@ -227,8 +229,9 @@ CONSTANT k_halving_climb = 4.0;
 CONSTANT k_halving_by_climb = 0.5;
 
 /// The arc of p, m, q, points of unit directions above the horizon and the control point between, times `sign`.
-FN_CALL ContourSums add_arc(ExactView view, ContourSums sums, ConicPoint p, ConicPoint m,
-                            ConicPoint q, Real sign) {
+FN_CALL ContourSums add_arc(GIVEN(ExactView) view, GIVEN(ContourSums) so_far, GIVEN(ConicPoint) p,
+                            GIVEN(ConicPoint) m, GIVEN(ConicPoint) q, Real sign) {
+  ContourSums sums = so_far;
   EdgePass pass;
   pass.negative = Real(0.0);
   pass.positive = Real(0.0);
@@ -256,33 +259,33 @@ FN_CALL ContourSums add_arc(ExactView view, ContourSums sums, ConicPoint p, Coni
   wide = min(max(max(wide, climbing), Real(0.0)), Real(1.0));
   Real inv_p = inversesqrt(max(dot(p.g, p.g), Real(k_tiny)));
   Real inv_q = inversesqrt(max(dot(q.g, q.g), Real(k_tiny)));
-  p = scale_point(p, inv_p);
-  q = scale_point(q, inv_q);
+  ConicPoint from = scale_point(p, inv_p);
+  ConicPoint to = scale_point(q, inv_q);
   Real inv_both = inv_p * inv_q;
-  m = scale_point(m, inv_both * inversesqrt(inv_both));
+  ConicPoint control = scale_point(m, inv_both * inversesqrt(inv_both));
   // A narrow arc that keeps to its chord is as smooth as the halves of others.
-  Real turn = dot(p.g, m.g);
-  Mask narrow = dot(p.g, q.g) > Real(k_narrow_arc_cos) && turn > Real(0.0) &&
-                turn * turn > Real(k_narrow_bend_cos2) * dot(m.g, m.g);
-  Vec3 visible = visible_part(p.g, m.g, q.g);
+  Real turn = dot(from.g, control.g);
+  Mask narrow = dot(from.g, to.g) > Real(k_narrow_arc_cos) && turn > Real(0.0) &&
+                turn * turn > Real(k_narrow_bend_cos2) * dot(control.g, control.g);
+  Vec3 visible = visible_part(from.g, control.g, to.g);
   // Uniform shortcut: all lanes' are.
   if (any_lane(!narrow)) {
-    ArcHalves halves = halves_of(p.g, m.g, q.g);
+    ArcHalves halves = halves_of(from.g, control.g, to.g);
     visible = select(narrow, visible,
-                     visible_half(p.g, halves.before, halves.middle) +
-                         visible_half(halves.middle, halves.after, q.g));
+                     visible_half(from.g, halves.before, halves.middle) +
+                         visible_half(halves.middle, halves.after, to.g));
   }
   sums.visible = sums.visible + visible * sign;
   // Uniform shortcuts: no lane's arc is wide, or all are.
   if (!any_lane(wide > Real(0.0))) {
-    return add_rings(view, sums, pass, conic_terms(p, m, q), nodes, sign);
+    return add_rings(view, sums, pass, conic_terms(from, control, to), nodes, sign);
   }
-  ContourSums parts =
-      add_rings_of_halves(view, sums, pass, p, m, q, halves_of(p.g, m.g, q.g), begin, end, sign);
+  ContourSums parts = add_rings_of_halves(view, sums, pass, from, control, to,
+                                          halves_of(from.g, control.g, to.g), begin, end, sign);
   if (all_lanes(wide >= Real(1.0))) {
     return parts;
   }
-  sums = add_rings(view, sums, pass, conic_terms(p, m, q), nodes, sign);
+  sums = add_rings(view, sums, pass, conic_terms(from, control, to), nodes, sign);
   sums.masked = sums.masked + (parts.masked - sums.masked) * wide;
   sums.biased = sums.biased + (parts.biased - sums.biased) * wide;
   sums.solid = sums.solid + (parts.solid - sums.solid) * wide;
@@ -290,7 +293,8 @@ FN_CALL ContourSums add_arc(ExactView view, ContourSums sums, ConicPoint p, Coni
 }
 
 /// The edge from a to b, unit vectors above the horizon, times `sign`.
-FN ContourSums add_whole_edge(ExactView view, ContourSums sums, Vec3 a, Vec3 b, Real sign) {
+FN ContourSums add_whole_edge(GIVEN(ExactView) view, GIVEN(ContourSums) sums, Vec3 a, Vec3 b,
+                              Real sign) {
   Vec3 sum = a + b;
   Real sum2 = max(dot(sum, sum), Real(k_tiny));
   Real inv_sum = inversesqrt(sum2);
@@ -304,7 +308,7 @@ CONSTANT k_in_horizon = 1.0e-6;
 
 /// The edge from a to b, unit vectors, as far as it is above the horizon, times `sign`; where it was cut, closed
 /// by an arc of the horizon to the azimuth at which rings begin.
-FN ContourSums add_edge(ExactView view, ContourSums sums, Vec3 a, Vec3 b, Real sign) {
+FN ContourSums add_edge(GIVEN(ExactView) view, ContourSums sums, Vec3 a, Vec3 b, Real sign) {
   Mask a_up = a.z > Real(k_in_horizon);
   Mask b_up = b.z > Real(k_in_horizon);
   // Uniform shortcuts: no lane has anything left, or needs to clip.

@@ -9,7 +9,9 @@ const int k_tube_arcs = 4;
 
 /// An end's part of the outline, as far as it is above the horizon, closed by arcs of that wherever a piece begins
 /// or ends.
-FN_CALL ContourSums add_clipped_end(ExactView view, ContourSums sums, TubeEnd end) {
+FN_CALL ContourSums add_clipped_end(GIVEN(ExactView) view, GIVEN(ContourSums) so_far,
+                                    GIVEN(TubeEnd) end) {
+  ContourSums sums = so_far;
   Real turn = Real(2.0) * k_pi;
   Arc above = arc_above(end.cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
   Real begin = select(above.extent > Real(k_full_turn), Real(0.0),
@@ -34,7 +36,8 @@ FN_CALL ContourSums add_clipped_end(ExactView view, ContourSums sums, TubeEnd en
 }
 
 /// An edge of the outline from a to b, unit, closed likewise, times `sign`.
-FN ContourSums add_clipped_side(ExactView view, ContourSums sums, Vec3 a, Vec3 b, Real sign) {
+FN ContourSums add_clipped_side(GIVEN(ExactView) view, ContourSums sums, Vec3 a, Vec3 b,
+                                Real sign) {
   sums = add_edge(view, sums, a, b, sign);
   Real from = select(a.z > Real(k_in_horizon), sign, Real(0.0));
   Real to = select(b.z > Real(k_in_horizon), sign, Real(0.0));
@@ -43,7 +46,7 @@ FN ContourSums add_clipped_side(ExactView view, ContourSums sums, Vec3 a, Vec3 b
 }
 
 /// The light of a tube by its outline.
-FN_CALL ExactIntegral exact_tube_outline(Surface s, Tube tube, TubeView at) {
+FN_CALL ExactIntegral exact_tube_outline(GIVEN(Surface) s, GIVEN(Tube) tube, GIVEN(TubeView) at) {
   TubeEnd first = tube_end(tube, at, at.from, -at.axis, true,
                            sees_end(tube, at.from, dot(at.from, at.axis)), cosine_lobe());
   TubeEnd second = tube_end(tube, at, at.to, at.axis, false,
@@ -75,7 +78,7 @@ FN_CALL ExactIntegral exact_tube_outline(Surface s, Tube tube, TubeView at) {
 }
 
 /// Half of an end, as a small light.
-FN ExactNodes add_exact_end(Surface s, ExactNodes sum, Tube tube, Vec3 center, Vec3 away) {
+FN ExactNodes add_exact_end(GIVEN(Surface) s, ExactNodes sum, Tube tube, Vec3 center, Vec3 away) {
   Real inv_r = inversesqrt(max(dot(center, center), Real(k_tiny)));
   Real area = thin_end_area(tube, dot(center, away) * inv_r);
   return add_exact_node(s, sum, center * inv_r, area * (inv_r * inv_r));
@@ -83,7 +86,7 @@ FN ExactNodes add_exact_end(Surface s, ExactNodes sum, Tube tube, Vec3 center, V
 
 /// A thin tube: the line along its axis, in the middle of what stands out of the surface, and the halves of its
 /// ends.
-FN_CALL ExactNodes exact_thin_tube(Surface s, Tube tube, TubeView at) {
+FN_CALL ExactNodes exact_thin_tube(GIVEN(Surface) s, GIVEN(Tube) tube, GIVEN(TubeView) at) {
   Vec3 a = at.from;
   Vec3 b = at.to;
   a.z = a.z + tube.radius * lift_share(a.z, tube.radius);
@@ -100,7 +103,7 @@ FN_CALL ExactNodes exact_thin_tube(Surface s, Tube tube, TubeView at) {
 
 /// How much of the integral along its outline a tube wants, 0 to 1, see outline_exactness: as much as any of four
 /// places on its axis does.
-FN Real tube_exactness(Surface s, Tube tube, TubeView at) {
+FN Real tube_exactness(GIVEN(Surface) s, Tube tube, TubeView at) {
   Vec3 axis = at.to - at.from;
   Real inv_length2 = Real(1.0) / max(dot(axis, axis), Real(k_tiny));
   Real nearest = min(max(-dot(at.from, axis) * inv_length2, Real(0.0)), Real(1.0));
@@ -122,7 +125,7 @@ FN Real tube_exactness(Surface s, Tube tube, TubeView at) {
 }
 
 /// The integral over a tube, its specular part that of GGX itself for F = 1.
-FN_CALL LightIntegral exact_tube_integral(Surface s, Tube tube) {
+FN_CALL LightIntegral exact_tube_integral(GIVEN(Surface) s, GIVEN(Tube) tube) {
   TubeView at = tube_view(tube, s.position, s.frame);
   Vec3 up = Vec3(Real(0.0), Real(0.0), Real(1.0));
   Real seen = tube_seen_above(tube, at);

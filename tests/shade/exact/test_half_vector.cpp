@@ -6,9 +6,10 @@
 
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f32.h"
-#include "placed_lights.h"
-#include "polygon_fixture.h"
-#include "random.h"
+#include "tests/shade/exact/lit_quads.h"
+#include "tests/shade/placed_lights.h"
+#include "tests/shade/polygon_fixture.h"
+#include "tests/shade/random.h"
 
 #include <doctest/doctest.h>
 
@@ -20,7 +21,12 @@
 #include <vector>
 
 using namespace openltc;
+using testing::Errors;
+using testing::midpoints;
+using testing::Quad;
 using testing::Random;
+using testing::random_quad;
+using testing::reflected;
 using testing::TestPolygon;
 using testing::visible_normals;
 
@@ -41,11 +47,6 @@ f64::Surface surface(double theta, double roughness, double f0 = 1) {
                  f0);
 }
 
-double reflected(const f64::Surface& s, Vec3d wi) {
-  const f64::GgxTerms terms = f64::eval_ggx_terms(s.wo, wi, s.alpha);
-  return s.f0.x * terms.scale + (s.f90.x - s.f0.x) * terms.bias;
-}
-
 f32::Surface surface_f32(double theta, double roughness) {
   const Vec3f wo = to_float(Vec3d(std::sin(theta), 0, std::cos(theta)));
   const f32::FittedLobe fitted = f32::fetch_lobe(table::builtin_ggx_table().view(),
@@ -59,15 +60,6 @@ double light_of(const f64::Surface& s, const PolygonView& polygon) {
   return f64::surface_polygon_integral(s, polygon).specular * s.fitted.n1 * s.inv_share;
 }
 
-struct Quad {
-  Vec3d center, u, v; // half extents at right angles, facing the origin with u x v
-
-  TestPolygon polygon() const {
-    return TestPolygon({testing::rectangle(2 * length(u), 2 * length(v))}, center, normalize(u),
-                       normalize(v));
-  }
-};
-
 double found(const f64::Surface& s, const Quad& quad) {
   const TestPolygon polygon = quad.polygon();
   return light_of(s, polygon.view());
@@ -77,44 +69,6 @@ double shade(const f64::Surface& s, const Quad& quad) {
   const TestPolygon polygon = quad.polygon();
   return f64::shade_polygon(s, polygon.view()).x;
 }
-
-// By the middles of n x n parts.
-double midpoints(const f64::Surface& s, const Quad& q, int n) {
-  const Vec3d normal = normalize(cross(q.u, q.v));
-  const double area = 4 * length(q.u) * length(q.v) / (n * n);
-  double sum = 0;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const Vec3d p = q.center + q.u * (2 * (i + 0.5) / n - 1) + q.v * (2 * (j + 0.5) / n - 1);
-      const double distance2 = dot(p, p), facing = -dot(p, normal) / std::sqrt(distance2);
-      const Vec3d wi = f64::to_shading(s.frame, normalize(p));
-      if (facing > 0) sum += reflected(s, wi) * facing / distance2;
-    }
-  return sum * area;
-}
-
-// Anywhere above, more or less towards the origin.
-Quad random_quad(double size, Random& random) {
-  const Vec3d w = random.hemisphere();
-  const f64::Frame frame =
-      f64::shading_frame(normalize(random.sphere() * 0.9 - w), Vec3d(0, 0.3, 1));
-  return {w * random.uniform(1, 4), frame.t1 * (size * random.uniform(0.1, 2)),
-          frame.t2 * (size * random.uniform(0.1, 2))};
-}
-
-struct Errors {
-  double sum = 0, light = 0, worst = 0;
-  int count = 0;
-
-  void add(double found, double exact) {
-    sum += std::abs(found - exact);
-    light += exact;
-    worst = std::max(worst, std::abs(found - exact));
-    ++count;
-  }
-  double mean() const { return sum / count; }
-  double of_light() const { return sum / light; }
-};
 
 } // namespace
 

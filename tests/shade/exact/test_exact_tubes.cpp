@@ -7,7 +7,7 @@
 #include "openltc/table/lobe_table.h"
 #include "openltc/target/shade_f32.h"
 #include "openltc/target/shade_f64.h"
-#include "random.h"
+#include "tests/shade/random.h"
 
 #include <doctest/doctest.h>
 
