@@ -76,9 +76,9 @@ void add_sampling(CLI::App& command, RenderArguments& a) {
   add_choice(command, "--specular", a.specular,
              "Specular light of area lights by the fitted lobe alone; times the ratio of the BRDF "
              "to it in the direction of each light: small lights are exact then, and mean errors a "
-             "third; by GGX itself with its Fresnel reflectance: exact, polygons in five to ten "
-             "times the time; or adaptive: by GGX itself, but by the ratio small polygons and "
-             "those on surfaces that are not seen at a grazing angle [adaptive; "
+             "third; by GGX itself with its Fresnel reflectance: exact, polygons in three to eight "
+             "times the time; or adaptive: by GGX itself, but by the ratio large polygons on "
+             "surfaces that are not seen at a grazing angle [adaptive; "
              "lobe with a --table of another BRDF than ggx and from 64 area lights on]",
              specular);
 }

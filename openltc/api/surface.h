@@ -119,15 +119,15 @@ inline void correct_at_mean(Surface& surface) {
 }
 
 /// Asks that the specular part of area lights be GGX itself instead of a fitted lobe: exact, for
-/// any roughness, for polygons, ellipses, spheres, tubes and lines; a polygon takes five to ten
+/// any roughness, for polygons, ellipses, spheres, tubes and lines; a polygon takes six to eight
 /// times as long (docs/method.md, section 11). Not for lobes that were fitted to another BRDF.
 inline void make_exact(Surface& surface) {
   if (surface.usable) surface.point = f32::make_exact(surface.point);
 }
 
-/// The same, but polygons that the lobes with correct_at_mean give nearly as well are left to them:
-/// small ones, and all where the view does not graze the surface. What `openltc render` takes, with
-/// built_in_two_lobe_table().
+/// The same, but large polygons where the view does not graze the surface are left to the lobes
+/// with correct_at_mean, which give them nearly as well; small ones are four points of GGX. What
+/// `openltc render` takes, with built_in_two_lobe_table().
 inline void make_adaptive(Surface& surface) {
   if (surface.usable) surface.point = f32::make_adaptive(surface.point);
 }

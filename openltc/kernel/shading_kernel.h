@@ -191,8 +191,8 @@ enum class Integrator { ltc, reference };
 enum class PunctualForm { exact, ltc };
 /// The specular part of area lights: by the fitted lobe alone, or times the BRDF's ratio to it in
 /// each light's mean direction (blended_ratio, shade/surface.glsl), for lobes that were fitted to
-/// GGX; by GGX itself (shade/exact/half_vector.glsl); or by that but of polygons that the ratio
-/// gives nearly as well (make_adaptive, shade/surface.glsl).
+/// GGX; by GGX itself (shade/exact/half_vector.glsl); or by that but of large polygons that the
+/// ratio gives nearly as well (make_adaptive, shade/surface.glsl).
 enum class SpecularForm { lobe, ratio, exact, adaptive };
 
 struct KernelContext {

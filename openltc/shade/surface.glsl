@@ -156,8 +156,8 @@ FN Surface make_exact(Surface s) {
   return s;
 }
 
-/// Asks for GGX itself but of polygons that the lobes give nearly as well, times their ratio: small ones, and those
-/// of views that do not graze. Other shapes take no longer by GGX itself than by two lobes.
+/// Asks for GGX itself, of small polygons at four points, but of large ones where the view does not graze: these the
+/// lobes give nearly as well, times their ratio. Other shapes take no longer by GGX itself than by two lobes.
 FN Surface make_adaptive(Surface s) {
   s = make_exact(s);
   s.adaptive = true;
