@@ -250,7 +250,7 @@ FN TwoIntegrals integrate_polygon_twice(Polygon polygon, Vec3 position, Frame fr
   return both;
 }
 
-/// The same over all of it.
+/// integrate_polygon_part over all of it.
 FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
   return integrate_polygon_part(polygon, position, frame, lobe, false,
                                 Vec3(Real(0.0), Real(0.0), Real(1.0)));
