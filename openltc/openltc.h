@@ -18,6 +18,9 @@
 
 #pragma once
 
+// The first and the last say which words are ours in between.
+// clang-format off
+#include "openltc/target/own_names.inc"
 #include "openltc/api/area_lights.h"
 #include "openltc/api/light_sampling.h"
 #include "openltc/api/lobes.h"
@@ -26,3 +29,5 @@
 #include "openltc/api/punctual_lights.h"
 #include "openltc/api/shading.h"
 #include "openltc/api/surface.h"
+#include "openltc/target/names_back.inc"
+// clang-format on

@@ -30,11 +30,6 @@ namespace openltc::f32 {
 using Scalar = float;
 #include "openltc/target/scalar.inc"
 #include "openltc/target/shade_all.inc"
-#undef FN
-#undef FN_CALL
-#undef GIVEN
-#undef CONSTANT
-#undef ASSERT_THAT
 
 } // namespace openltc::f32
 
@@ -45,3 +40,5 @@ using Scalar = float;
 #elif defined(_MSC_VER)
 #pragma warning(pop)
 #endif
+
+#include "openltc/target/names_back.inc"

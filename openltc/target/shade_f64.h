@@ -17,10 +17,7 @@ namespace openltc::f64 {
 using Scalar = double;
 #include "openltc/target/scalar.inc"
 #include "openltc/target/shade_all.inc"
-#undef FN
-#undef FN_CALL
-#undef GIVEN
-#undef CONSTANT
-#undef ASSERT_THAT
 
 } // namespace openltc::f64
+
+#include "openltc/target/names_back.inc"

@@ -39,11 +39,8 @@ using Scalar = double;
 #include "openltc/target/shade_all.inc"
 #include "tests/parity/case_body.inc"
 // clang-format on
+#include "openltc/target/names_back.inc"
 #undef PolygonView
-#undef FN
-#undef FN_CALL
-#undef CONSTANT
-#undef ASSERT_THAT
 
 } // namespace openltc::exact
 

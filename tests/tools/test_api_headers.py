@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The OpenLTC authors
 # SPDX-License-Identifier: MIT
-"""openltc/openltc.h is what it says: C++17, without warnings, by GCC and Clang, and leaves no macros.
+"""openltc/openltc.h is what it says: C++17, without warnings, by GCC and Clang; leaves no macros and minds none.
 
     test_api_headers.py COMPILER   the build's own, besides those that are found
 """
@@ -17,6 +17,56 @@ k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 k_flags = ["-std=c++17", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic", "-Werror", "-I", k_root]
 k_own = sys.argv.pop(1)
 
+k_standard = "".join("#include <%s>\n" % name for name in
+                     ("algorithm", "cassert", "cmath", "cstddef", "cstdint", "limits", "utility", "vector"))
+
+# What other headers define by names without a prefix: those of Windows, of X11, of doctest, Catch2 and gmock;
+# and the dialect's own.
+k_foreign = """
+#define min(a, b) (((a) < (b)) ? (a) : (b))
+#define max(a, b) (((a) > (b)) ? (a) : (b))
+#define near
+#define far
+#define small char
+#define hyper long long
+#define interface struct
+#define IN
+#define OUT
+#define OPTIONAL
+#define CONST const
+#define VOID void
+#define TRUE 1
+#define FALSE 0
+#define ERROR 0
+#define ABSOLUTE 1
+#define RELATIVE 2
+#define OPAQUE 2
+#define TRANSPARENT 1
+#define DIFFERENCE 11
+#define RGB(r, g, b) (r)
+#define Bool int
+#define Status int
+#define None 0L
+#define True 1
+#define False 0
+#define Success 0
+#define Always 2
+#define Above 0
+#define Below 1
+#define Complex 0
+#define Convex 2
+#define GIVEN(name) while (name)
+#define WHEN(name) while (name)
+#define THEN(name) while (name)
+#define CHECK(condition) while (condition)
+#define REQUIRE(condition) while (condition)
+#define INFO(text) (text)
+#define ASSERT_THAT(value, matcher) while (matcher == value)
+#define FN 1
+#define FN_CALL 2
+#define CONSTANT 3
+"""
+
 
 def compilers():
     """The build's compiler, and one of the other kind if there is one."""
@@ -26,10 +76,10 @@ def compilers():
 
 
 def macros_of(compiler, text):
-    """Names of the macros that are defined at the end of a source."""
+    """The macros that are defined at the end of a source: what each is, by its name."""
     run = subprocess.run([compiler, "-std=c++17", "-I", k_root, "-dM", "-E", "-x", "c++", "-"], input=text,
                          capture_output=True, text=True, check=True)
-    return {line.split()[1].split("(")[0] for line in run.stdout.splitlines()}
+    return {re.split(r"[ (]", line)[1]: line for line in run.stdout.splitlines()}
 
 
 class ApiHeaders(unittest.TestCase):
@@ -81,11 +131,18 @@ class ApiHeaders(unittest.TestCase):
             self.assertEqual(run.returncode, 0, "%s\n%s" % (name, run.stderr))
 
     def test_no_macro_is_left_behind(self):
-        standard = "".join("#include <%s>\n" % name for name in
-                           ("algorithm", "cassert", "cmath", "cstddef", "cstdint", "limits", "utility", "vector"))
         for compiler in compilers():
-            left = macros_of(compiler, standard + '#include "openltc/openltc.h"\n') - macros_of(compiler, standard)
-            self.assertEqual(left, set())
+            left = macros_of(compiler, k_standard + '#include "openltc/openltc.h"\n')
+            self.assertEqual(set(left) - set(macros_of(compiler, k_standard)), set())
+
+    def test_macros_of_other_headers_neither_harm_it_nor_suffer(self):
+        before = k_standard + k_foreign
+        after = before + '#include "openltc/openltc.h"\nconst float* table = openltc::k_ggx_table;\n'
+        for compiler in compilers():
+            run = subprocess.run([compiler] + k_flags + ["-fsyntax-only", "-x", "c++", "-"], capture_output=True,
+                                 text=True, check=False, input=after)
+            self.assertEqual(run.returncode, 0, "%s\n%s" % (compiler, run.stderr))
+            self.assertEqual(macros_of(compiler, after), macros_of(compiler, before))
 
 
 if __name__ == "__main__":
