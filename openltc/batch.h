@@ -19,11 +19,16 @@
 
 #pragma once
 
+// The first and the last say which words are ours in between.
+// clang-format off
+#include "openltc/target/own_names.inc"
 #include "openltc/api/area_lights.h"
 #include "openltc/api/lobes.h"
 #include "openltc/api/material.h"
 #include "openltc/api/polygon.h"
 #include "openltc/api/punctual_lights.h"
+#include "openltc/target/names_back.inc"
+// clang-format on
 
 #include <cstddef>
 #include <memory>

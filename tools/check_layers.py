@@ -8,8 +8,8 @@
 1. A folder of openltc/ includes only itself and folders above it in k_layers; shade includes
    nothing, target only shade; light, scene and render do not include fit: fitting and rendering
    meet only through a table. Nothing in openltc/ includes cli, tests or bench. The headers of the
-   public API, openltc/openltc.h and its like, include openltc/api alone, openltc.h between the two files
-   that put a program's own macros aside and back, and that of C headers of C alone;
+   public API, openltc/openltc.h and its like, include openltc/api alone, between the two files that put a
+   program's own macros aside and back, and that of C headers of C alone;
    in openltc/ only the folders behind them include them.
 2. Includes within the repository are written from its root.
 3. Embree, glTF, mesh codec and image file headers appear in .cpp files only. Exceptions are private
@@ -139,7 +139,7 @@ def check_library_include(path, form, header):
                                                               'but here "%s"' % header]
     if folder in k_umbrellas:
         if header.startswith("openltc/api/") or (form == "<" and folder != "openltc.h") or (
-                header in k_around_the_api and folder == "openltc.h"):
+                header in k_around_the_api and folder != k_c_header):
             return []
         return ['%s includes openltc/api alone, but here "%s"' % (folder, header)]
     if k_private_headers.match(header):
