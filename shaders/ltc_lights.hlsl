@@ -1256,8 +1256,8 @@ ltc_Cone ltc_make_cone(float3 center, float3 a, float3 b) {
   return cone;
 }
 
-// More than the extent of an arc that a plane cuts, 9e-5 below 2 pi: a full turn, whose start means
-// nothing, whatever rounding makes of it.
+// More than the extent of an arc that a plane cuts, 9e-5 below 2 pi: a full turn, whose start is its
+// lowest point, and cuts nothing.
 static const float ltc_k_full_turn = 6.2831;
 
 // An interval of the outline's parameter: counter-clockwise from `start`.

@@ -1255,8 +1255,8 @@ fn ltc_make_cone(center: vec3f, a: vec3f, b: vec3f) -> ltc_Cone {
   return cone;
 }
 
-// More than the extent of an arc that a plane cuts, 9e-5 below 2 pi: a full turn, whose start means
-// nothing, whatever rounding makes of it.
+// More than the extent of an arc that a plane cuts, 9e-5 below 2 pi: a full turn, whose start is its
+// lowest point, and cuts nothing.
 const ltc_k_full_turn: f32 = 6.2831;
 
 // An interval of the outline's parameter: counter-clockwise from `start`.

@@ -185,8 +185,8 @@ FN_CALL Cone make_cone(Vec3 center, Vec3 a, Vec3 b) {
   return cone;
 }
 
-/// More than the extent of an arc that a plane cuts, 9e-5 below 2 pi: a full turn, whose start means
-/// nothing, whatever rounding makes of it.
+/// More than the extent of an arc that a plane cuts, 9e-5 below 2 pi: a full turn, whose start is its
+/// lowest point, and cuts nothing.
 CONSTANT k_full_turn = 6.2831;
 
 /// An interval of the outline's parameter: counter-clockwise from `start`.

@@ -66,7 +66,8 @@ FN ContourSums close_at_horizon(GIVEN(ExactView) view, ContourSums sums, Vec3 a,
 FN_CALL ExactIntegral exact_cone(GIVEN(Surface) s, GIVEN(Cone) cone, int arcs) {
   Arc above = arc_above(cone, Vec3(Real(0.0), Real(0.0), Real(1.0)));
   Mask whole = above.extent > Real(k_full_turn);
-  Real start = select(whole, Real(0.0), above.start);
+  // Of a whole outline that is its lowest point: the axes of a round cone are any, and would choose its arcs.
+  Real start = above.start;
   Real extent = select(whole, Real(2.0) * k_pi, max(above.extent, Real(0.0)));
   Vec3 first = cone_direction(cone, start);
   Vec3 last = cone_direction(cone, start + extent);

@@ -14,6 +14,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -183,6 +184,43 @@ TEST_CASE("exact ellipses, disks and spheres, against points of them") {
     CHECK(spheres.worst < 8e-3);
     CHECK(widest < 1e-4);
   }
+}
+
+TEST_CASE(
+    "exact spheres: the axes of a round cone, which are any, change nothing, nor does rounding") {
+  Random random(31);
+  double turned = 0, rounded = 0; // of what the brightest would reflect
+  for (int i = 0; i < 2000; ++i) {
+    const double theta = random.uniform(0, 89.0 / 180 * k_pi), roughness = random.uniform(0.14, 1);
+    const f64::Surface s = surface(theta, roughness);
+    // About the mirror direction, where smooth surfaces are bright.
+    const Vec3d mirror(-std::sin(theta), 0, std::cos(theta));
+    const Vec3d center = normalize(mirror + random.sphere() * random.uniform(0, 0.5));
+    const double radius = random.uniform(0.05, 0.6);
+    if (center.z < -radius) continue;
+    const auto light = [&](double turn) {
+      const f64::Frame axes = f64::shading_frame(center, Vec3d(0.1, 0.3, 1));
+      f64::Cone cone;
+      cone.e1 = axes.t1 * std::cos(turn) + axes.t2 * std::sin(turn);
+      cone.e3 = center;
+      cone.e2 = cross(center, cone.e1);
+      cone.k1 = cone.k2 = radius;
+      cone.c1 = cone.c2 = std::sqrt(1 - radius * radius);
+      const f64::ExactIntegral integral = f64::exact_cone(s, cone, 6);
+      return std::array{integral.light, integral.bias};
+    };
+    const auto one = light(0), other = light(random.uniform(0, 6));
+    for (std::size_t k = 0; k < 2; ++k)
+      turned = std::max(turned, std::abs(other[k] - one[k]));
+    const f64::Sphere sphere = {center, radius};
+    const f32::Surface single = surface_f32(theta, roughness);
+    rounded = std::max(
+        rounded, std::abs(double(f32::shade_sphere(single, {to_float(center), float(radius)}).x) -
+                          f64::shade_sphere(s, sphere).x));
+  }
+  MESSAGE("turned ", turned, "; single precision ", rounded);
+  CHECK(turned < 1e-6);
+  CHECK(rounded < 5e-5);
 }
 
 TEST_CASE("exact lines, against points of them") {
