@@ -223,7 +223,7 @@ FormOptions add_request_options(CLI::App& command, FitArguments& arguments) {
   fit::FitRequest& c = arguments.request;
   auto* size = command
                    .add_option("--size", c.size,
-                               "Nodes per axis of a table, 2 to 512; of two lobes 16 unless given")
+                               "Nodes per axis of a table, 2 to 512; of two lobes 32 unless given")
                    ->transform(whole_number(2, 512))
                    ->capture_default_str();
   command

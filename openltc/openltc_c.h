@@ -382,7 +382,7 @@ enum {
 typedef struct openltc_fit_options {
   int32_t form;          ///< OPENLTC_TABLE, OPENLTC_POLYNOMIAL or OPENLTC_TWO_LOBE_TABLE
   int32_t refine;        ///< of a table
-  size_t size;           ///< nodes per axis of a table, 2 to 512; 0 = 64, of two lobes 16
+  size_t size;           ///< nodes per axis of a table, 2 to 512; 0 = 64, of two lobes 32
   size_t degree;         ///< of a polynomial, 3 to 6; 0 = 4
   const char* objective; ///< "balanced", "tv", "l2", "l3" or "TV,L2,L3"; null = "balanced"
   openltc_progress_function progress; ///< null: nobody asks

@@ -134,7 +134,7 @@ def main():
         for size in sizes:
             data = report(openltc, "--form", "two-lobe", "--objective", objective, "--size", str(size))
             name = f"two lobes, {objective}, {size}²"
-            built_in = objective == "balanced" and size == 16
+            built_in = objective == "balanced" and size == 32
             rows.append([f"**{name}**" if built_in else name, *figures(data, 0)])
     for objective, degrees in (("balanced", (3, 4, 5, 6)), ("tv", (4,))):
         for degree in degrees:
@@ -157,7 +157,7 @@ def main():
         data = report(openltc, "--brdf", name)
         rows.append([f"`{name}`", *figures(data, 0), figures(data, 1)[0]])
     blocks["brdfs"] = markdown([*HEAD, "TV of the limit"], rows)
-    rows = [[f"`{name}`", *figures(report(openltc, "--brdf", name, "--form", "two-lobe"), 0)]
+    rows = [[f"`{name}`", *figures(report(openltc, "--brdf", name, "--form", "two-lobe", "--size", "16"), 0)]
             for name in names]
     blocks["two-lobe brdfs"] = markdown(HEAD, rows)
 

@@ -7,7 +7,7 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 openltc=${1:-$root/build/release/bin/openltc}
 "$openltc" fit --brdf ggx --size 64 -o "$root/openltc/api/ggx_table.inc"
-"$openltc" fit --brdf ggx --form two-lobe --size 16 -o "$root/openltc/api/ggx_two_lobes.inc"
+"$openltc" fit --brdf ggx --form two-lobe --size 32 -o "$root/openltc/api/ggx_two_lobes.inc"
 "$openltc" fit --brdf ggx --form polynomial --degree 4 -o "$root/openltc/api/ggx_polynomial.inc"
 "$openltc" fit --brdf ggx --form two-lobe-polynomial --degree 4 \
   -o "$root/openltc/api/ggx_two_lobe_polynomial.inc"

@@ -46,7 +46,7 @@ inline Lobes built_in_table() {
   return lobes;
 }
 
-/// Two lobes at every node, 16 x 16, GGX: half the error of one lobe, for half as much time again
+/// Two lobes at every node, 32 x 32, GGX: half the error of one lobe, for half as much time again
 /// for each light (k_ggx_two_lobes_metadata says how it was made).
 inline Lobes built_in_two_lobe_table() {
   Lobes lobes;

@@ -23,9 +23,9 @@
 
 namespace openltc::fit {
 
-/// Nodes per axis of the built-in table of two lobes: more hardly lower the error
-/// (docs/fitting.md).
-inline constexpr int k_two_lobe_size = 16;
+/// Nodes per axis of the built-in table of two lobes: more hardly lower the error of lobes, and
+/// with fewer that of the albedo shows in a furnace (docs/fitting.md, decision 107).
+inline constexpr int k_two_lobe_size = 32;
 
 /// What is asked for. The defaults give the built-in table.
 struct FitRequest {

@@ -28,7 +28,7 @@ inline constexpr std::array<TradeForm, 6> k_trade_forms = {{
     {"two lobes", true, SpecularForm::lobe},
     {"two lobes, ratio", true, SpecularForm::ratio},
     {"two lobes or GGX", true, SpecularForm::adaptive},
-    {"GGX itself", false, SpecularForm::exact},
+    {"GGX itself", true, SpecularForm::exact},
 }};
 
 /// A number for each of k_trade_forms.

@@ -206,9 +206,9 @@ struct TwoIntegrals {
   LightIntegral second; ///< its diffuse part is the first's
 };
 
-/// integrate_polygon_part for two lobes: corners and Lambert's sum serve both.
+/// integrate_polygon for two lobes: corners and Lambert's sum serve both.
 FN TwoIntegrals integrate_polygon_twice(Polygon polygon, Vec3 position, Frame frame, Lobe first,
-                                        Lobe second, bool cut, Vec3 front) {
+                                        Lobe second) {
   PolygonSight sight = see_polygon(polygon, position);
   Vec3 center = sight.to_center;
   Real exact_diffuse = Real(1.0);
@@ -217,9 +217,9 @@ FN TwoIntegrals integrate_polygon_twice(Polygon polygon, Vec3 position, Frame fr
   // Uniform shortcut.
   if (!sight.large) {
     center = to_shading(frame, sight.to_center);
-    exact_diffuse = exactness_in_front(center, sight.radius, cosine_lobe(), cut, front);
-    exact_first = exactness_in_front(center, sight.radius, first, cut, front);
-    exact_second = exactness_in_front(center, sight.radius, second, cut, front);
+    exact_diffuse = polygon_exactness(center, sight.radius, cosine_lobe());
+    exact_first = polygon_exactness(center, sight.radius, first);
+    exact_second = polygon_exactness(center, sight.radius, second);
   }
   Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
   EdgeSums a;
@@ -231,8 +231,8 @@ FN TwoIntegrals integrate_polygon_twice(Polygon polygon, Vec3 position, Frame fr
   Mask lit = sight.side != Real(0.0);
   Real most = max(exact_diffuse, max(exact_first, exact_second));
   if (any_lane(lit && most > Real(0.0))) {
-    a = sum_polygon_edges(polygon, position, frame, first, sight.h, cut, front);
-    b = sum_polygon_edges(polygon, position, frame, second, sight.h, cut, front);
+    a = sum_polygon_edges(polygon, position, frame, first, sight.h, false, none);
+    b = sum_polygon_edges(polygon, position, frame, second, sight.h, false, none);
     a.diffuse = a.diffuse * (sight.side * exact_diffuse);
     a.specular = a.specular * (sight.side * exact_first);
     b.specular = b.specular * (sight.side * exact_second);

@@ -163,8 +163,7 @@ FN LightIntegral whole_polygon_integral(GIVEN(Surface) s, Polygon polygon) {
   LightIntegral integral;
   if (s.two) {
     TwoIntegrals both =
-        integrate_polygon_twice(polygon, s.position, s.frame, s.fitted.lobe, s.second, false,
-                                Vec3(Real(0.0), Real(0.0), Real(1.0)));
+        integrate_polygon_twice(polygon, s.position, s.frame, s.fitted.lobe, s.second);
     integral = with_second_lobe(s, both.first, both.second);
   } else {
     integral = integrate_polygon(polygon, s.position, s.frame, s.fitted.lobe);
@@ -273,7 +272,7 @@ FN PolygonWays ways_of_polygon(GIVEN(Surface) s, Polygon polygon) {
   Vec3 center = to_shading(s.frame, polygon_centroid(polygon) - s.position);
   Real radius = polygon_radius(polygon);
   PolygonWays ways;
-  ways.points = share_of_points(s, center, radius, points_reach(s, takes_nine_points(s, polygon)));
+  ways.points = share_of_points(s, center, radius, takes_nine_points(s, polygon));
   // What the triangle's plane may cut is no points, without a step.
   if (s.tilted) {
     Real before = dot(front_shading(s), center) * reciprocal(max(radius, Real(k_tiny))) - Real(1.0);

@@ -90,7 +90,7 @@ struct LobeTable {
 /// `openltc fit` with the command its metadata names.
 const LobeTable& builtin_ggx_table();
 
-/// The table of two lobes that the product ships: the same BRDF, 16 x 16.
+/// The table of two lobes that the product ships: the same BRDF, 32 x 32.
 const LobeTable& builtin_ggx_two_lobe_table();
 
 } // namespace openltc::table

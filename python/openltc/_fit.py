@@ -97,7 +97,7 @@ def fit(brdf: str | os.PathLike[str] | Callable[..., Any] = "ggx", size: int | N
                from the surface, z along its normal, both above it; roughness is one float, 0..1.
                It returns (N,) numbers: the BRDF in 1/steradian, without the cosine, isotropic,
                finite and not negative. It is called in the thread that called fit.
-    size       nodes per axis of a table, 2..512; 64 unless given, 16 of two lobes
+    size       nodes per axis of a table, 2..512; 64 unless given, 32 of two lobes
     objective  what is minimised: balanced, tv, l2, l3 or "TV,L2,L3", three weights
     form       table, polynomial, two-lobe, two-lobe-polynomial
     layout     whose look-up reads the table: openltc.layouts()

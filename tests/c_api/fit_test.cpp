@@ -89,13 +89,13 @@ TEST_CASE("two_lobes_are_fitted_as_the_built_in_ones") {
   openltc_fit_options options{};
   options.form = OPENLTC_TWO_LOBE_TABLE;
   std::vector<float> numbers(openltc_fit_capacity(&options));
-  REQUIRE(numbers.size() == 16 * 16 * 12);
+  REQUIRE(numbers.size() == 32 * 32 * 12);
   REQUIRE(openltc_fit("ggx", &options, numbers.data(), numbers.size(), nullptr) == OPENLTC_OK);
   // Another maths library may move the last bits of a joint fit, and these its end.
-  for (std::size_t i = 0; i < 16 * 16 * 8; ++i)
+  for (std::size_t i = 0; i < 32 * 32 * 8; ++i)
     CHECK(std::abs(numbers[i] - k_ggx_two_lobes[i]) < 5e-3f);
   openltc_lobes* lobes = nullptr;
-  CHECK(openltc_lobes_create_two_lobe_table(numbers.data(), numbers.data() + 16 * 16 * 8, 16, 16,
+  CHECK(openltc_lobes_create_two_lobe_table(numbers.data(), numbers.data() + 32 * 32 * 8, 32, 32,
                                             &lobes) == OPENLTC_OK);
   openltc_lobes_destroy(lobes);
 }

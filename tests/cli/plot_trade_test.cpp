@@ -82,7 +82,7 @@ TEST_CASE("plot_trade_has_the_errors_of_rendered_pictures") {
     reference[i] = 0.5f * (reference[i] + other[i]);
     light += double(reference[i]);
   }
-  const char* lobes[] = {"table", "table", "two-lobe", "two-lobe", "two-lobe", "table"};
+  const char* lobes[] = {"table", "table", "two-lobe", "two-lobe", "two-lobe", "two-lobe"};
   const char* forms[] = {"lobe", "ratio", "lobe", "ratio", "adaptive", "exact"};
   for (std::size_t i = 0; i < 6; ++i) {
     CAPTURE(forms[i]);

@@ -4,6 +4,7 @@
 // Tables of two lobes: the objective and its derivatives, the certificate, how close the lobes come
 // to the BRDF, and that the built-in is what the fit makes.
 
+#include "openltc/fit/fit_job.h"
 #include "openltc/fit/lobe_fit.h"
 #include "openltc/fit/lobe_sums.h"
 #include "openltc/fit/measure/certificate.h"
@@ -185,7 +186,7 @@ TEST_CASE("the certificate finds what happens between nodes, in either lobe") {
 
 TEST_CASE("the built-in table of two lobes regenerates byte for byte, and keeps its promises") {
   fit::TableFitOptions options;
-  options.size = 16;
+  options.size = fit::k_two_lobe_size;
   Result<table::LobeTable> fit = fit::fit_two_lobe_table(ggx(), options);
   REQUIRE(fit);
   const table::LobeTable& builtin = table::builtin_ggx_two_lobe_table();
@@ -194,7 +195,7 @@ TEST_CASE("the built-in table of two lobes regenerates byte for byte, and keeps 
   const Result<fit::TableError> sharp = fit::measure_lobes(ggx(), lobes, region(0.01, 0.06));
   REQUIRE((rough && sharp));
   fit::complete_metadata(fit->metadata, *rough, builtin.metadata.tool_version.c_str(),
-                         "openltc fit --brdf ggx --form two-lobe --size 16");
+                         "openltc fit --brdf ggx --form two-lobe --size 32");
   std::ifstream file(OPENLTC_SOURCE_DIR "/openltc/api/ggx_two_lobes.inc", std::ios::binary);
   const std::string source{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const bool same = table::to_builtin_source(*fit) == source;
@@ -206,8 +207,8 @@ TEST_CASE("the built-in table of two lobes regenerates byte for byte, and keeps 
   CHECK(rough->mean.l3 < 0.029);
   CHECK(sharp->mean.tv < 0.00125);
   CHECK(fit::certify_determinants(*fit).lower_bound > 0);
-  for (int row = 0; row < 16; ++row)
-    for (int column = 0; column < 16; ++column) {
+  for (int row = 0; row < options.size; ++row)
+    for (int column = 0; column < options.size; ++column) {
       CHECK(fit->texel(column, row)[6] >= 0);
       CHECK(fit->texel(column, row)[6] <= 1);
     }

@@ -132,8 +132,8 @@ PlacedLight capsule(Placed at) {
 
 f64::Surface surface_of_form(LightForm form, double theta, double roughness, double f0,
                              double albedo) {
-  const bool two = form == LightForm::two_lobes || form == LightForm::two_lobes_ratio ||
-                   form == LightForm::adaptive;
+  // As `openltc render` has them: GGX itself with the albedo of the table of two lobes.
+  const bool two = form != LightForm::lobe && form != LightForm::ratio;
   const LobeTableView table =
       two ? table::builtin_ggx_two_lobe_table().view() : table::builtin_ggx_table().view();
   const Vec3d wo(std::sin(theta), 0, std::cos(theta));

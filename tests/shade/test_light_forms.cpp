@@ -84,10 +84,9 @@ struct Case {
 } // namespace
 
 // By lobes alone a metal has its albedo n1, whatever the walls. The ratio in a wall's mean
-// direction does not speak for all of it, and the nodes of GGX itself are few for walls that stand
-// on the surface where the view nearly lies in it: decision 104. A dielectric's Fresnel is that of
-// mean directions, worst at such views, also by GGX itself where its lobe is narrow: decisions 51,
-// 90; and its base has what the table's albedo leaves, which is 5 % too large at 89 degrees.
+// direction does not speak for all of it. A dielectric's Fresnel is that of mean directions, worst
+// at grazing views, also by GGX itself where its lobe is narrow: decisions 51, 90; and its base has
+// what the table's albedo leaves.
 TEST_CASE("five walls of a white furnace, by every form of light") {
   constexpr double none = 1e-9;
   const Case cases[] = {{"metal, to 60 degrees",
@@ -98,7 +97,7 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.99, 1.012, 0.0015, 1.002},
                           {LightForm::two_lobes, 1 - none, 1 + none, none, 1 + none},
                           {LightForm::two_lobes_ratio, 0.996, 1.006, 0.0007, 1.002},
-                          {LightForm::adaptive, 0.996, 1.0045, 0.0008, 1.002},
+                          {LightForm::adaptive, 0.996, 1.0046, 0.0006, 1.002},
                           {LightForm::exact, 0.999, 1.002, 0.00015, 1.001}}},
                         {"metal, 60 to 89 degrees",
                          60,
@@ -108,8 +107,8 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.88, 1.037, 0.0075, 1.002},
                           {LightForm::two_lobes, 1 - none, 1 + none, none, 1 + none},
                           {LightForm::two_lobes_ratio, 0.93, 1.017, 0.004, 1.002},
-                          {LightForm::adaptive, 0.976, 1.035, 0.003, 1.002},
-                          {LightForm::exact, 0.989, 1.021, 0.0013, 1.001}}},
+                          {LightForm::adaptive, 0.992, 1.01, 0.0012, 1.002},
+                          {LightForm::exact, 0.995, 1.008, 0.001, 1.001}}},
                         {"dielectric, to 60 degrees",
                          0,
                          60,
@@ -128,8 +127,8 @@ TEST_CASE("five walls of a white furnace, by every form of light") {
                           {LightForm::ratio, 0.96, 1.068, 0.0065, 1.068},
                           {LightForm::two_lobes, 0.97, 1.045, 0.005, 1.045},
                           {LightForm::two_lobes_ratio, 0.969, 1.041, 0.005, 1.041},
-                          {LightForm::adaptive, 0.97, 1.02, 0.0017, 1.02},
-                          {LightForm::exact, 0.975, 1.02, 0.0012, 1.02}}}};
+                          {LightForm::adaptive, 0.985, 1.01, 0.0014, 1.01},
+                          {LightForm::exact, 0.985, 1.01, 0.0012, 1.01}}}};
   for (const Case& one : cases)
     for (std::size_t k = 0; k < std::size(k_light_forms); ++k) {
       const Furnaces& bound = one.bounds[k];

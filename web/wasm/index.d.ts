@@ -29,7 +29,7 @@ export interface FitOptions {
   brdf?: BrdfSource;
   /** Default 'table'. */
   form?: 'table' | 'two-lobe' | 'polynomial' | 'two-lobe-polynomial';
-  /** Nodes per axis, 2 to 512. Default 64, of two lobes 16. */
+  /** Nodes per axis, 2 to 512. Default 64, of two lobes 32. */
   size?: number;
   /** Of polynomials, 3 to 6. Default 4. */
   degree?: number;

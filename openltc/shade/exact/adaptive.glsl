@@ -6,19 +6,24 @@
 // integral.
 
 /// Cosine of the view angle from which on no light is GGX itself on an adaptive dielectric,
-CONSTANT k_lobes_cos = 0.42;
+CONSTANT k_lobes_cos = 0.4;
 /// how much later that is on a white metal, where more is seen of it,
-CONSTANT k_lobes_cos_of_f0 = 0.18;
+CONSTANT k_lobes_cos_of_f0 = 0.2;
 /// and 1 over what lies between that and where large lights are nothing else.
 CONSTANT k_inv_exact_cos_range = 5.0;
 /// Angular radius of a light, over how far half vectors turn before the distribution falls, up to which none is,
 CONSTANT k_large_light = 0.5;
 /// and 1 over what lies between that and where all of it is.
 CONSTANT k_inv_large_light_range = 2.0;
+/// Cosine of the view angle below which smaller lights are, too: at a twentieth less all that are too large for
+/// points,
+CONSTANT k_grazing_cos = 0.35;
+/// and 1 over that twentieth.
+CONSTANT k_inv_grazing_range = 20.0;
 
 /// How much of a light is to be GGX itself along its outline on an adaptive surface, 0..1, of that centre, shading
-/// space, and radius: large lights where the view grazes. What the lobes do not know of the distribution shows
-/// there.
+/// space, and radius: large lights where the view grazes, and all where it nearly lies in the surface. What the
+/// lobes do not know of the distribution shows there.
 FN Real exact_amount(GIVEN(Surface) s, Vec3 center, Real radius) {
   Real f0 = max(max(s.f0.x, s.f0.y), s.f0.z);
   Real lobes_cos = Real(k_lobes_cos) + Real(k_lobes_cos_of_f0) * f0;
@@ -27,6 +32,7 @@ FN Real exact_amount(GIVEN(Surface) s, Vec3 center, Real radius) {
   Real square = turn_square(s, center * inv_length);
   Real reach = radius * inv_length * inversesqrt(max(square, Real(k_tiny)));
   Real large = (reach - Real(k_large_light)) * Real(k_inv_large_light_range);
+  large = large + max((Real(k_grazing_cos) - s.wo.z) * Real(k_inv_grazing_range), Real(0.0));
   return min(max(min(grazing, large), Real(0.0)), Real(1.0));
 }
 

@@ -87,23 +87,14 @@ FN ExactIntegral integral_of_points(GIVEN(Surface) s, FewPoints sums, Real cosin
   return result;
 }
 
-/// How far a light may reach to be points: see share_of_points.
-struct PointsReach {
-  Real most;      ///< all of a light up to it is points
-  Real inv_range; ///< per unit of reach
-};
-
-/// Of a surface of GGX itself, and of an adaptive one, where four points err less than lobes; nine: whether it is
-/// nine points.
-FN PointsReach points_reach(GIVEN(Surface) s, bool nine) {
-  PointsReach reach;
-  reach.most = nine ? Real(0.3) : Real(0.1);
-  reach.inv_range = Real(20.0);
-  if (s.adaptive) {
-    reach.most = Real(0.5);
-  }
-  return reach;
-}
+/// Reach up to which all of a light is points, on a surface of GGX itself, if there are nine of them,
+CONSTANT k_nine_points_reach = 0.3;
+/// and if there are four;
+CONSTANT k_four_points_reach = 0.1;
+/// and on an adaptive surface, where four points err less than lobes.
+CONSTANT k_adaptive_points_reach = 0.5;
+/// 1 over what lies between that and where none is.
+CONSTANT k_inv_points_range = 20.0;
 
 /// |B (wo + wi)|^2 of the unit direction wi, shading space.
 FN Real turn_square(GIVEN(Surface) s, Vec3 wi) {
@@ -111,9 +102,9 @@ FN Real turn_square(GIVEN(Surface) s, Vec3 wi) {
   return sum.x * sum.x + sum.y * sum.y + s.alpha * s.alpha * sum.z * sum.z;
 }
 
-/// How much of a light is points, 0..1, of that centre, shading space, and radius. Masking changes over heights of
-/// about alpha, too, and what is not wholly above the horizon is none.
-FN Real share_of_points(GIVEN(Surface) s, Vec3 center, Real radius, PointsReach most) {
+/// How much of a light is points, 0..1, of that centre, shading space, and radius; nine: whether there are nine of
+/// them. Masking changes over heights of about alpha, too, and what is not wholly above the horizon is none.
+FN Real share_of_points(GIVEN(Surface) s, Vec3 center, Real radius, bool nine) {
   Real inv_length = inverse_length(center);
   Vec3 wi = center * inv_length;
   Real z = max(wi.z, Real(0.0));
@@ -121,7 +112,11 @@ FN Real share_of_points(GIVEN(Surface) s, Vec3 center, Real radius, PointsReach 
   Real masking = min(up * up, z * z + s.alpha * s.alpha);
   Real square = min(turn_square(s, wi), Real(4.0) * masking);
   Real reach = radius * inv_length * inversesqrt(max(square, Real(k_tiny)));
-  Real small = Real(1.0) + (most.most - reach) * most.inv_range;
+  Real most = nine ? Real(k_nine_points_reach) : Real(k_four_points_reach);
+  if (s.adaptive) {
+    most = Real(k_adaptive_points_reach);
+  }
+  Real small = Real(1.0) + (most - reach) * Real(k_inv_points_range);
   Real above = center.z * reciprocal(max(radius, Real(k_tiny))) - Real(1.0);
   return min(max(min(above, small), Real(0.0)), Real(1.0));
 }

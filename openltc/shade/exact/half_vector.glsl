@@ -32,7 +32,9 @@ struct ExactView {
   Real masking;  ///< masking_of_height of the mirror direction
   /// pi times D of wi along the normal, times what masking_of_height has more there than in the mirror direction.
   Real more_at_normal;
-  Real weight;           ///< Schlick's, of the mirror direction
+  Real peak;   ///< how wide in height the peak of rings is, which is at cos_o: see ring_at
+  Real gather; ///< how far from that height the nodes of an arc gather: see ring_nodes
+  Real weight; ///< Schlick's, of the mirror direction
   Real biased_at_normal; ///< more_at_normal with Schlick's weight in either place
 };
 
@@ -59,6 +61,17 @@ FN HalfTurn half_turn(Real x, Real y) {
 
 /// Smallest cosine of the view.
 CONSTANT k_least_view_cos = 1.0e-4;
+/// Least width of the peak of rings.
+CONSTANT k_least_peak = 0.01;
+/// Heights over which nodes gather: this much of the peak's,
+CONSTANT k_gather_by_peak = 0.7;
+/// and of the mirror direction's, over which masking turns: by alpha
+CONSTANT k_gather_by_cos = 10.0;
+/// to so much.
+CONSTANT k_most_gather_by_cos = 1.5;
+
+/// Square of the tangent of the angle from the normal within which a direction has no azimuth.
+CONSTANT k_overhead_tan2 = 1.0e-6;
 
 /// `start`: the direction, shading space, at whose azimuth rings begin.
 FN ExactView exact_view(Vec3 wo, Real alpha, Vec3 start) {
@@ -70,7 +83,9 @@ FN ExactView exact_view(Vec3 wo, Real alpha, Vec3 start) {
   view.root_o = sqrt(view.cos_o * view.cos_o * (Real(1.0) - view.alpha2) + view.alpha2);
   Real length2 = start.x * start.x + start.y * start.y;
   Real inv_length = inversesqrt(max(length2, Real(k_tiny)));
-  Mask usable = length2 > Real(k_tiny);
+  // Right above the point rounding alone tells an azimuth. The mirror's is best there: on either side of it is half
+  // of the peak.
+  Mask usable = length2 > Real(k_overhead_tan2) * (start.z * start.z) + Real(k_tiny);
   view.start_x = select(usable, -start.x * inv_length, Real(1.0));
   view.start_y = select(usable, start.y * inv_length, Real(0.0));
   HalfTurn turn = half_turn(view.start_x, view.start_y);
@@ -84,6 +99,11 @@ FN ExactView exact_view(Vec3 wo, Real alpha, Vec3 start) {
   Real d = view.alpha2 * ratio * ratio;
   Real masking = Real(0.5) / (view.root_o + view.cos_o);
   view.more_at_normal = d * (masking - view.masking);
+  view.peak =
+      max(Real(2.0) * alpha * sqrt(view.sin_o * view.sin_o + view.alpha2 * view.cos_o * view.cos_o),
+          Real(k_least_peak));
+  view.gather = Real(k_gather_by_peak) * view.peak +
+                min(Real(k_gather_by_cos) * alpha, Real(k_most_gather_by_cos)) * view.cos_o;
   view.weight = schlick_weight(view.cos_o);
   view.biased_at_normal =
       d * (masking * schlick_weight_between(view.cos_o) - view.masking * view.weight);

@@ -95,9 +95,9 @@ FN Real outline_exactness(GIVEN(Surface) s, Vec3 center, Real radius) {
 }
 
 /// Width of a lobe below which Schlick's weight is that of a light's mean direction,
-CONSTANT k_narrow_lobe = 0.03;
-/// and 1 over how much more it takes to be the integrated one alone, from a roughness of 0.3 on.
-CONSTANT k_inv_narrow_lobe_range = 16.7;
+CONSTANT k_narrow_lobe = 0.01;
+/// and 1 over how much more it takes to be the integrated one alone, from a roughness of 0.25 on.
+CONSTANT k_inv_narrow_lobe_range = 20.0;
 
 /// From the diffuse vector irradiance times 2 pi and the exact specular light.
 FN LightIntegral exact_light_integral(GIVEN(Surface) s, Vec3 diffuse, ExactIntegral specular) {

@@ -168,13 +168,34 @@ FN RingLight ring_light(GIVEN(ExactView) view, Ring ring, RingPowers powers, Rea
   return light;
 }
 
-/// A node of the integral from an edge to the normal at v, of weight w; width: of the peak at cos_o.
-FN ContourSums add_cap_node(GIVEN(ExactView) view, ContourSums sums, Real width, Real v, Real w) {
+/// Where x, in widths of the peak of rings, is on a scale on which that is even: -1..1.
+FN Real peak_place(Real x) {
+  Real square = Real(1.0) + x * x;
+  return x * reciprocal(Real(1.0) + square * inversesqrt(square));
+}
+
+/// Where a place of that scale is.
+struct PeakPoint {
+  Real x;     ///< in widths of the peak
+  Real slope; ///< how much of x there is to the scale
+};
+
+/// The reverse of peak_place.
+FN PeakPoint peak_point(Real v) {
   Real inv = reciprocal(max(Real(1.0) - v * v, Real(1.0e-6)));
-  Real z = min(max(view.cos_o + Real(2.0) * width * v * inv, Real(0.0)), Real(1.0));
+  PeakPoint point;
+  point.x = Real(2.0) * v * inv;
+  point.slope = Real(2.0) * (Real(1.0) + v * v) * inv * inv;
+  return point;
+}
+
+/// A node of the integral from an edge to the normal at v, see peak_place, of weight w.
+FN ContourSums add_cap_node(GIVEN(ExactView) view, ContourSums sums, Real v, Real w) {
+  PeakPoint point = peak_point(v);
+  Real z = min(max(view.cos_o + view.peak * point.x, Real(0.0)), Real(1.0));
   Real sin2 = max(Real(1.0) - z * z, Real(k_tiny));
   Ring ring = ring_at(view, z, sin2 * inversesqrt(sin2));
-  Real dz = Real(2.0) * width * (Real(1.0) + v * v) * inv * inv * w;
+  Real dz = view.peak * point.slope * w;
   RingLight light = ring_light(view, ring, whole_powers(ring), z);
   Real turn = Real(2.0) * k_pi;
   sums.masked = sums.masked + (light.scale - turn * view.more_at_normal) * dz;
@@ -182,33 +203,20 @@ FN ContourSums add_cap_node(GIVEN(ExactView) view, ContourSums sums, Real width,
   return sums;
 }
 
-/// Where z is in units in which the peak of whole_ring at cos_o is wide.
-FN Real cap_place(GIVEN(ExactView) view, Real width, Real z) {
-  Real x = (z - view.cos_o) / width;
-  return x / (Real(1.0) + sqrt(Real(1.0) + x * x));
-}
-
 /// The integral of whole rings from height z to the normal, times `sign`: 8 nodes of Gauss.
 FN_CALL ContourSums add_cap(GIVEN(ExactView) view, GIVEN(ContourSums) so_far, Real z, Real sign) {
   ContourSums sums = so_far;
-  Real width = max(Real(2.0) * view.alpha *
-                       sqrt(view.sin_o * view.sin_o + view.alpha2 * view.cos_o * view.cos_o),
-                   Real(0.01));
-  Real from = cap_place(view, width, z);
-  Real to = cap_place(view, width, Real(1.0));
+  Real from = peak_place((z - view.cos_o) / view.peak);
+  Real to = peak_place((Real(1.0) - view.cos_o) / view.peak);
   Real middle = Real(0.5) * (from + to);
   Real reach = Real(0.5) * (to - from);
   ContourSums cap = no_contour();
   for (int side = -1; side <= 1; side = side + 2) {
     Real h = reach * Real(float(side));
-    cap = add_cap_node(view, cap, width, middle + h * Real(0.1834346424956498),
-                       Real(0.362683783378362));
-    cap = add_cap_node(view, cap, width, middle + h * Real(0.525532409916329),
-                       Real(0.3137066458778873));
-    cap = add_cap_node(view, cap, width, middle + h * Real(0.7966664774136267),
-                       Real(0.2223810344533745));
-    cap = add_cap_node(view, cap, width, middle + h * Real(0.9602898564975363),
-                       Real(0.1012285362903763));
+    cap = add_cap_node(view, cap, middle + h * Real(0.1834346424956498), Real(0.362683783378362));
+    cap = add_cap_node(view, cap, middle + h * Real(0.525532409916329), Real(0.3137066458778873));
+    cap = add_cap_node(view, cap, middle + h * Real(0.7966664774136267), Real(0.2223810344533745));
+    cap = add_cap_node(view, cap, middle + h * Real(0.9602898564975363), Real(0.1012285362903763));
   }
   sums.masked = sums.masked + cap.masked * reach * sign;
   sums.biased = sums.biased + cap.biased * reach * sign;

@@ -100,51 +100,68 @@ FN ConicTerms conic_terms(ConicPoint a, ConicPoint m, ConicPoint b) {
   return arc;
 }
 
-/// How the nodes of an arc gather at its lower end: masking and the distribution's peak, on its ring at cos_o, change
-/// over heights of about alpha and cos_o, which are little of an arc that climbs far from the horizon.
+/// Three nodes of Gauss along an arc. They gather where it crosses, or comes nearest to, the ring of the mirror
+/// direction: rings have their peak there, however far from the highlight, and masking turns there.
 struct RingNodes {
-  Real gather; ///< 0 evenly, in t, to 1, in its third root
-  Mask falls;  ///< whether the end is lower
-  Real climb;  ///< heights of the arc over those of the lower end, cos_o and alpha
+  Real first;         ///< their places on the arc, 0..1
+  Real middle;        ///< likewise
+  Real last;          ///< likewise
+  Real first_weight;  ///< their weights, whose sum is 1
+  Real middle_weight; ///< likewise
+  Real last_weight;   ///< likewise
 };
 
-/// Climb from which on nodes gather,
-CONSTANT k_gathering_climb = 3.0;
-/// by how much for each more,
-CONSTANT k_gathering_by_climb = 0.1;
-/// and the most that they do.
-CONSTANT k_most_gathering = 0.6;
+/// 1 over the widest gathering along an arc, of nodes that are as good as even.
+CONSTANT k_even_nodes = 1.0e-3;
 
-/// Of an arc between those heights, 0..1.
-FN RingNodes ring_nodes(GIVEN(ExactView) view, Real begin, Real end) {
+/// Of an arc. What is as high as the ring solves a quadratic. All of them at once and before they are needed: one
+/// by one, each would wait for a chain of quotients and roots.
+FN RingNodes ring_nodes(GIVEN(ExactView) view, ConicTerms arc) {
+  Real q0 = arc.r0.z - view.cos_o * arc.l0;
+  Real q1 = arc.r1.z - view.cos_o * arc.l1;
+  Real q2 = arc.r2.z - view.cos_o * arc.l2;
+  Real square = max(q1 * q1 - Real(4.0) * q0 * q2, Real(k_tiny));
+  Real root = square * inversesqrt(square);
+  Real larger = select(q1 < Real(0.0), root - q1, -root - q1);
+  Real one = larger * q2 * (Real(0.5) * reciprocal(max(q2 * q2, Real(k_tiny))));
+  Real other = Real(2.0) * q0 * larger * reciprocal(max(larger * larger, Real(k_tiny)));
+  // Where both are as near to the middle neither is taken, and nodes are nearly even.
+  one = min(max(one, Real(-1.0)), Real(2.0)) - Real(0.5);
+  other = min(max(other, Real(-1.0)), Real(2.0)) - Real(0.5);
+  Real of_other = one * one * (one * one);
+  Real of_one = other * other * (other * other);
+  Real t = Real(0.5) +
+           (one * of_one + other * of_other) * reciprocal(max(of_one + of_other, Real(k_tiny)));
+  t = min(max(t, Real(0.0)), Real(1.0));
+  Real above = abs(q0 + (q1 + q2 * t) * t);
+  Real length = arc.l0 + (arc.l1 + arc.l2 * t) * t;
+  Real span = above + view.gather * length;
+  Real slope = max(abs(q1 + Real(2.0) * q2 * t), span * Real(k_even_nodes));
+  Real width = span * reciprocal(slope);
+  Real inv_width = slope * reciprocal(span);
+  Real from = peak_place(-t * inv_width);
+  Real range = peak_place((Real(1.0) - t) * inv_width) - from;
+  PeakPoint first = peak_point(from + range * Real(0.1127016653792583));
+  PeakPoint middle = peak_point(from + range * Real(0.5));
+  PeakPoint last = peak_point(from + range * Real(0.8872983346207417));
+  Real weight = width * range;
+  Real outer = weight * Real(0.2777777777777778);
   RingNodes nodes;
-  nodes.falls = end < begin;
-  Real low = max(min(begin, end), Real(0.0));
-  nodes.climb = abs(end - begin) * reciprocal(low + view.cos_o + view.alpha);
-  nodes.gather =
-      min(max((nodes.climb - Real(k_gathering_climb)) * Real(k_gathering_by_climb), Real(0.0)),
-          Real(k_most_gathering));
+  nodes.first = t + width * first.x;
+  nodes.middle = t + width * middle.x;
+  nodes.last = t + width * last.x;
+  nodes.first_weight = outer * first.slope;
+  nodes.middle_weight = weight * Real(0.4444444444444444) * middle.slope;
+  nodes.last_weight = outer * last.slope;
   return nodes;
 }
 
-/// Rings at the node of Gauss at x, counted from the lower end, of weight w: t = x (1 - gather + gather x^2).
-FN ContourSums add_gathered_node(GIVEN(ExactView) view, GIVEN(ContourSums) sums, EdgePass pass,
-                                 ConicTerms arc, RingNodes nodes, Real x, Real w) {
-  Real even = Real(1.0) - nodes.gather;
-  Real part = nodes.gather * (x * x);
-  Real t = x * (even + part);
-  return add_ring_node(view, sums, pass, arc, select(nodes.falls, Real(1.0) - t, t),
-                       w * (even + part * Real(3.0)));
-}
-
-/// Rings along an arc, times `sign`: three nodes of Gauss.
+/// Rings along an arc, times `sign`.
 FN ContourSums add_rings(GIVEN(ExactView) view, ContourSums sums, EdgePass pass, ConicTerms arc,
                          RingNodes nodes, Real sign) {
-  Real outer = sign * Real(0.2777777777777778);
-  sums = add_gathered_node(view, sums, pass, arc, nodes, Real(0.1127016653792583), outer);
-  sums =
-      add_gathered_node(view, sums, pass, arc, nodes, Real(0.5), sign * Real(0.4444444444444444));
-  return add_gathered_node(view, sums, pass, arc, nodes, Real(0.8872983346207417), outer);
+  sums = add_ring_node(view, sums, pass, arc, nodes.first, nodes.first_weight * sign);
+  sums = add_ring_node(view, sums, pass, arc, nodes.middle, nodes.middle_weight * sign);
+  return add_ring_node(view, sums, pass, arc, nodes.last, nodes.last_weight * sign);
 }
 
 /// An arc of a conic in two parts, in g.
@@ -152,9 +169,6 @@ struct ArcHalves {
   Vec3 before; ///< the first one's control point
   Vec3 middle; ///< where the second begins, |g| = 1
   Vec3 after;  ///< its control point
-  Real t;      ///< where on the arc the second begins
-  Real inv_g;  ///< 1 / |g| there, by which it was scaled
-  Real root;   ///< its root, by which the control points were
 };
 
 /// The arc of p, m, q, with |g| = 1 at its ends, divided where g is at equal angles from both of them; so are
@@ -166,35 +180,39 @@ FN ArcHalves halves_of(Vec3 p, Vec3 m, Vec3 q) {
   Real length2 = lean * lean + turn * turn;
   Real longer = abs(lean) + length2 * inversesqrt(length2);
   Real ratio = select(lean < Real(0.0), turn * turn * reciprocal(longer), longer);
+  Real t = ratio * reciprocal(ratio + turn);
+  Real u = Real(1.0) - t;
+  Vec3 before = p * u + m * t;
+  Vec3 after = m * u + q * t;
+  Vec3 middle = before * u + after * t;
+  Real inv_g = inversesqrt(max(dot(middle, middle), Real(k_tiny)));
+  Real root = inv_g * inversesqrt(inv_g);
   ArcHalves halves;
-  halves.t = ratio * reciprocal(ratio + turn);
-  Real u = Real(1.0) - halves.t;
-  Vec3 before = p * u + m * halves.t;
-  Vec3 after = m * u + q * halves.t;
-  Vec3 middle = before * u + after * halves.t;
-  halves.inv_g = inversesqrt(max(dot(middle, middle), Real(k_tiny)));
-  halves.root = halves.inv_g * inversesqrt(halves.inv_g);
-  halves.middle = middle * halves.inv_g;
-  halves.before = before * halves.root;
-  halves.after = after * halves.root;
+  halves.middle = middle * inv_g;
+  halves.before = before * root;
+  halves.after = after * root;
   return halves;
 }
 
-/// Rings along the halves of the arc of p, m, q, times `sign`.
-FN_CALL ContourSums add_rings_of_halves(GIVEN(ExactView) view, GIVEN(ContourSums) so_far,
-                                        GIVEN(EdgePass) pass, GIVEN(ConicPoint) p,
-                                        GIVEN(ConicPoint) m, GIVEN(ConicPoint) q,
-                                        GIVEN(ArcHalves) halves, Real begin, Real end, Real sign) {
+/// Rings along the two parts of the arc of p, m, q that t divides, times `sign`.
+FN_CALL ContourSums add_rings_of_parts(GIVEN(ExactView) view, GIVEN(ContourSums) so_far,
+                                       GIVEN(EdgePass) pass, GIVEN(ConicPoint) p,
+                                       GIVEN(ConicPoint) m, GIVEN(ConicPoint) q, Real t,
+                                       Real sign) {
   ContourSums sums = so_far;
-  ConicPoint before = mix_points(p, m, halves.t);
-  ConicPoint after = mix_points(m, q, halves.t);
-  ConicPoint middle = scale_point(mix_points(before, after, halves.t), halves.inv_g);
-  before = scale_point(before, halves.root);
-  after = scale_point(after, halves.root);
-  Real z = middle.r.z * reciprocal(max(middle.l, Real(k_tiny)));
-  sums =
-      add_rings(view, sums, pass, conic_terms(p, before, middle), ring_nodes(view, begin, z), sign);
-  return add_rings(view, sums, pass, conic_terms(middle, after, q), ring_nodes(view, z, end), sign);
+  ConicPoint before = mix_points(p, m, t);
+  ConicPoint after = mix_points(m, q, t);
+  ConicPoint middle = mix_points(before, after, t);
+  // Scaled so that both parts have |g| = 1 at their ends.
+  Real inv_g = inversesqrt(max(dot(middle.g, middle.g), Real(k_tiny)));
+  Real root = inv_g * inversesqrt(inv_g);
+  middle = scale_point(middle, inv_g);
+  ConicTerms first = conic_terms(p, scale_point(before, root), middle);
+  ConicTerms second = conic_terms(middle, scale_point(after, root), q);
+  RingNodes of_first = ring_nodes(view, first);
+  RingNodes of_second = ring_nodes(view, second);
+  sums = add_rings(view, sums, pass, first, of_first, sign);
+  return add_rings(view, sums, pass, second, of_second, sign);
 }
 
 /// Cosine of the angle in g between the ends of half an edge from which on it is divided once more.
@@ -204,6 +222,11 @@ CONSTANT k_narrow_arc_cos = 0.6;
 /// and square of the cosine of the angle at which its control point is seen from them, up to which it keeps to its
 /// chord.
 CONSTANT k_narrow_bend_cos2 = 0.75;
+
+/// Cosine of the view below which rings along every arc are in two parts,
+CONSTANT k_parted_view_cos = 0.09;
+/// and 1 over what lies between that and where they are nothing else.
+CONSTANT k_inv_parted_view_range = 40.0;
 
 /// Visible normals along the two halves of an arc.
 FN_CALL Vec3 visible_halves(Vec3 a, Vec3 m, Vec3 b) {
@@ -222,11 +245,6 @@ FN Vec3 visible_half(Vec3 a, Vec3 m, Vec3 b) {
   }
   return whole;
 }
-
-/// Climb from which on rings are summed in two halves,
-CONSTANT k_halving_climb = 4.0;
-/// and how much of them are for each more.
-CONSTANT k_halving_by_climb = 0.5;
 
 /// The arc of p, m, q, points of unit directions above the horizon and the control point between, times `sign`.
 FN_CALL ContourSums add_arc(GIVEN(ExactView) view, GIVEN(ContourSums) so_far, GIVEN(ConicPoint) p,
@@ -250,19 +268,19 @@ FN_CALL ContourSums add_arc(GIVEN(ExactView) view, GIVEN(ContourSums) so_far, GI
       sums = add_cap(view, sums, min(max(max(p.r.z, q.r.z), Real(0.0)), Real(1.0)), way * sign);
     }
   }
-  Real begin = p.r.z;
-  Real end = q.r.z;
-  RingNodes nodes = ring_nodes(view, begin, end);
-  // More nodes, without a step, from 60 degrees on to 78, and where they gather.
-  Real wide = (Real(0.5) * (p.l * q.l) - dot(p.r, q.r)) * Real(1.0 / 0.3);
-  Real climbing = (nodes.climb - Real(k_halving_climb)) * Real(k_halving_by_climb);
-  wide = min(max(max(wide, climbing), Real(0.0)), Real(1.0));
   Real inv_p = inversesqrt(max(dot(p.g, p.g), Real(k_tiny)));
   Real inv_q = inversesqrt(max(dot(q.g, q.g), Real(k_tiny)));
   ConicPoint from = scale_point(p, inv_p);
   ConicPoint to = scale_point(q, inv_q);
   Real inv_both = inv_p * inv_q;
   ConicPoint control = scale_point(m, inv_both * inversesqrt(inv_both));
+  ConicTerms arc = conic_terms(from, control, to);
+  RingNodes nodes = ring_nodes(view, arc);
+  // Rings are in two parts, without a step, from 60 degrees on to 78, and where the view nearly lies in the surface:
+  // masking turns over little of an arc's height there.
+  Real wide = (Real(0.5) * (p.l * q.l) - dot(p.r, q.r)) * Real(1.0 / 0.3);
+  wide = max(wide, (Real(k_parted_view_cos) - view.cos_o) * Real(k_inv_parted_view_range));
+  wide = min(max(wide, Real(0.0)), Real(1.0));
   // A narrow arc that keeps to its chord is as smooth as the halves of others.
   Real turn = dot(from.g, control.g);
   Mask narrow = dot(from.g, to.g) > Real(k_narrow_arc_cos) && turn > Real(0.0) &&
@@ -278,14 +296,17 @@ FN_CALL ContourSums add_arc(GIVEN(ExactView) view, GIVEN(ContourSums) so_far, GI
   sums.visible = sums.visible + visible * sign;
   // Uniform shortcuts: no lane's arc is wide, or all are.
   if (!any_lane(wide > Real(0.0))) {
-    return add_rings(view, sums, pass, conic_terms(from, control, to), nodes, sign);
+    return add_rings(view, sums, pass, arc, nodes, sign);
   }
-  ContourSums parts = add_rings_of_halves(view, sums, pass, from, control, to,
-                                          halves_of(from.g, control.g, to.g), begin, end, sign);
+  // At the middle of its directions, where the turn around the normal is; half of the way in g may be a tenth of it.
+  Real root_p = inv_p * inversesqrt(inv_p);
+  Real root_q = inv_q * inversesqrt(inv_q);
+  ContourSums parts = add_rings_of_parts(view, sums, pass, from, control, to,
+                                         root_p * reciprocal(root_p + root_q), sign);
   if (all_lanes(wide >= Real(1.0))) {
     return parts;
   }
-  sums = add_rings(view, sums, pass, conic_terms(from, control, to), nodes, sign);
+  sums = add_rings(view, sums, pass, arc, nodes, sign);
   sums.masked = sums.masked + (parts.masked - sums.masked) * wide;
   sums.biased = sums.biased + (parts.biased - sums.biased) * wide;
   sums.solid = sums.solid + (parts.solid - sums.solid) * wide;

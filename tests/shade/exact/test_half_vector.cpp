@@ -194,8 +194,8 @@ TEST_CASE(
     const double theta = random.uniform(0, 89.0 / 180 * k_pi), roughness = random.uniform(0.14, 1);
     const f64::Surface s = surface(theta, roughness);
     // About the mirror direction, where smooth surfaces are bright.
-    const Vec3d mirror(-std::sin(theta), 0, std::cos(theta));
-    const Vec3d center = normalize(mirror + random.sphere() * random.uniform(0, 0.5));
+    const Vec3d center = normalize(Vec3d(-std::sin(theta), 0, std::cos(theta)) +
+                                   random.sphere() * random.uniform(0, 0.5));
     const double radius = random.uniform(0.05, 0.6);
     if (center.z < -radius) continue;
     const auto light = [&](double turn) {
@@ -210,8 +210,7 @@ TEST_CASE(
       return std::array{integral.light, integral.bias};
     };
     const auto one = light(0), other = light(random.uniform(0, 6));
-    for (std::size_t k = 0; k < 2; ++k)
-      turned = std::max(turned, std::abs(other[k] - one[k]));
+    turned = std::max({turned, std::abs(other[0] - one[0]), std::abs(other[1] - one[1])});
     const f64::Sphere sphere = {center, radius};
     const f32::Surface single = surface_f32(theta, roughness);
     rounded = std::max(
@@ -323,6 +322,33 @@ TEST_CASE("exact polygons: five walls of a white furnace, and a quad in two halv
   CHECK(least > 0.98);
   CHECK(most < 1.02);
   CHECK(split / light < 1e-3);
+}
+
+TEST_CASE("exact polygons: five walls of a white furnace, from any place between them") {
+  Random random(41);
+  double least = 2, most = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double theta = random.uniform(i % 3 ? 1.05 : 0, i % 3 ? 1.55 : 1.05);
+    const f64::Surface s = surface(theta, random.log_uniform(0.1, 1));
+    const double turn = random.uniform(0, 2 * k_pi), h = random.uniform(0.3, 2.3);
+    const Vec3d x(std::cos(turn), std::sin(turn), 0), y(-x.y, x.x, 0);
+    const double a = random.uniform(0.5, 2), b = random.uniform(0.5, 2);
+    const double off = i % 2 ? 0.95 : 0; // in the middle no ceiling has an azimuth
+    const Vec3d here =
+        x * (off * a * random.uniform(-1, 1)) + y * (off * b * random.uniform(-1, 1));
+    const Vec3d down(0, 0, -h / 2);
+    double sum = found(s, {here - down * 2.0, y * b, x * a});
+    for (const double side : {-1.0, 1.0}) {
+      sum += found(s, {here - down + x * (side * a), y * (side * b), down});
+      sum += found(s, {here - down + y * (side * b), x * (-side * a), down});
+    }
+    const double albedo = visible_normals(s, 12, [](Vec3d) { return true; });
+    least = std::min(least, sum / albedo);
+    most = std::max(most, sum / albedo);
+  }
+  MESSAGE("furnace ", least, " to ", most);
+  CHECK(least > 0.99);
+  CHECK(most < 1.01);
 }
 
 TEST_CASE("exact lights: a second lobe changes nothing") {
