@@ -22,8 +22,8 @@ CONSTANT k_grazing_cos = 0.35;
 CONSTANT k_inv_grazing_range = 20.0;
 
 /// How much of a light is to be GGX itself along its outline on an adaptive surface, 0..1, of that centre, shading
-/// space, and radius: large lights where the view grazes, and all where it nearly lies in the surface. What the
-/// lobes do not know of the distribution shows there.
+/// space, and radius: large lights where the view grazes, and all too large for points where it grazes more.
+/// What the lobes do not know of the distribution shows there.
 FN Real exact_amount(GIVEN(Surface) s, Vec3 center, Real radius) {
   Real f0 = max(max(s.f0.x, s.f0.y), s.f0.z);
   Real lobes_cos = Real(k_lobes_cos) + Real(k_lobes_cos_of_f0) * f0;

@@ -6,7 +6,8 @@
 //
 // Scaled so that both ends have |g| = 1, a conic's parameter runs evenly along its arc as far as it can. Divided
 // where g is at equal angles from both ends, a root of a quadratic, and scaled again, each half is
-// so smooth that a few nodes do.
+// so smooth that a few nodes do. So it is for visible normals. Rings turn around the normal, not with g: where they
+// are in two parts it is at the middle of the arc's directions.
 
 /// 1 / |g|^2 at the place t of an arc, g = (k2 t + k1) t + k0, times a weight.
 FN Real visible_weight(Vec3 k0, Vec3 k1, Vec3 k2, Real t, Real w) {
