@@ -117,6 +117,11 @@ TestPolygon::TestPolygon(const std::vector<Ring>& rings, Vec3d origin, Vec3d axi
   for (const Vec2d& p : flat)
     view_.radius = std::max(view_.radius,
                             float(std::hypot(p.x - moments.centroid.x, p.y - moments.centroid.y)));
+  // As lights are packed.
+  if (flat.size() == 5) {
+    const Vec2d gap = flat[0] - flat[1] + flat[2] - flat[3];
+    view_.parallelogram = std::hypot(gap.x, gap.y) <= 1e-5f * view_.radius;
+  }
   const auto store = [](Vec3d v, float* to) {
     to[0] = float(v.x);
     to[1] = float(v.y);

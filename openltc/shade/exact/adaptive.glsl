@@ -8,7 +8,7 @@
 /// Cosine of the view angle from which on no light is GGX itself on an adaptive dielectric,
 CONSTANT k_lobes_cos = 0.4;
 /// how much later that is on a white metal, where more is seen of it,
-CONSTANT k_lobes_cos_of_f0 = 0.2;
+CONSTANT k_lobes_cos_of_f0 = 0.26;
 /// and 1 over what lies between that and where large lights are nothing else.
 CONSTANT k_inv_exact_cos_range = 5.0;
 /// Angular radius of a light, over how far half vectors turn before the distribution falls, up to which none is,

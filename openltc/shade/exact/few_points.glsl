@@ -26,7 +26,7 @@ FN FewPoints no_points() {
   return sums;
 }
 
-/// Adds the point at p, shading space, above the horizon, of that weight; root_o: sqrt(cos_o^2 (1 - alpha^2) +
+/// Adds the point at p, shading space, of that weight, above the horizon but for rounding; root_o: sqrt(cos_o^2 (1 - alpha^2) +
 /// alpha^2).
 ///   f_s cos_i = alpha^2 / (2 pi) (c / t)^2 cos_i / (cos_i root_o + cos_o root_i)
 /// with c = |wo + wi|^2 and t = |B (wo + wi)|^2: eval_ggx_terms by reciprocals.
@@ -39,9 +39,10 @@ FN FewPoints add_point(GIVEN(Surface) s, Real root_o, FewPoints sums, Vec3 p, Re
   Real alpha2 = s.alpha * s.alpha;
   Real c = max(across2 + up2, Real(k_tiny));
   Real slope = c * reciprocal(max(across2 + alpha2 * up2, Real(k_tiny)));
-  Real root2 = wi.z * wi.z * (Real(1.0) - alpha2) + alpha2;
-  Real masking = wi.z * root_o + s.wo.z * (root2 * inversesqrt(root2));
-  Real cosine = weight * wi.z * (inv_p * inv_p * inv_p);
+  Real cos_i = max(wi.z, Real(0.0));
+  Real root2 = cos_i * cos_i * (Real(1.0) - alpha2) + alpha2;
+  Real masking = cos_i * root_o + s.wo.z * (root2 * inversesqrt(root2));
+  Real cosine = weight * cos_i * (inv_p * inv_p * inv_p);
   Real scale = cosine * (slope * slope) * reciprocal(max(masking, Real(k_tiny)));
   sums.cosine = sums.cosine + cosine;
   sums.scale = sums.scale + scale;
@@ -88,7 +89,7 @@ FN ExactIntegral integral_of_points(GIVEN(Surface) s, FewPoints sums, Real cosin
 }
 
 /// Reach up to which all of a light is points, on a surface of GGX itself, if there are nine of them,
-CONSTANT k_nine_points_reach = 0.3;
+CONSTANT k_nine_points_reach = 0.4;
 /// and if there are four;
 CONSTANT k_four_points_reach = 0.1;
 /// and on an adaptive surface, where four points err less than lobes.

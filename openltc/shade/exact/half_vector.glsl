@@ -15,6 +15,10 @@
 // as a curve of degree 2, q = u^2 a + 2 u t m + t^2 b and |q| = u^2 + 2 u t w + t^2 with m the unit bisector of
 // a and b and w the cosine of half their angle, both are polynomials, and so is g.
 //
+// alpha V.x is the same integral times h.x / (wo.h), since the cosine about n is alpha (wo.h) / |g|, that about the x
+// axis h.x / |g|. So what turns like sin_o h.x / (wo.h) = 1 - cos_o h.z / (wo.h), which is 0 in the mirror direction,
+// is known, too.
+//
 // What remains is the masking of wi, which depends on its height z alone: see masking_ring.glsl, which
 // is summed at the same nodes.
 
@@ -29,13 +33,16 @@ struct ExactView {
   Real start_y;  ///< and its sine
   Real half_cos; ///< of half that azimuth
   Real half_sin; ///< of half that azimuth
-  Real masking;  ///< masking_of_height of the mirror direction
-  /// pi times D of wi along the normal, times what masking_of_height has more there than in the mirror direction.
+  // What of masking_of_height visible normals have: masking - lean sin_o h.x / (wo.h).
+  Real masking;        ///< masking_of_height of the mirror direction
+  Real lean;           ///< how it turns there
+  Real biased_masking; ///< the same with Schlick's weight
+  Real biased_lean;    ///< likewise
+  /// pi times D of wi along the normal, times what masking_of_height has there beyond that.
   Real more_at_normal;
+  Real biased_at_normal; ///< the same with Schlick's weight
   Real peak;   ///< how wide in height the peak of rings is, which is at cos_o: see ring_at
   Real gather; ///< how far from that height the nodes of an arc gather: see ring_nodes
-  Real weight; ///< Schlick's, of the mirror direction
-  Real biased_at_normal; ///< more_at_normal with Schlick's weight in either place
 };
 
 /// A unit vector at half the angle of another.
@@ -64,7 +71,7 @@ CONSTANT k_least_view_cos = 1.0e-4;
 /// Least width of the peak of rings.
 CONSTANT k_least_peak = 0.01;
 /// Heights over which nodes gather: this much of the peak's,
-CONSTANT k_gather_by_peak = 0.7;
+CONSTANT k_gather_by_peak = 1.0;
 /// and of the mirror direction's, over which masking turns: by alpha
 CONSTANT k_gather_by_cos = 10.0;
 /// to so much.
@@ -93,20 +100,29 @@ FN ExactView exact_view(Vec3 wo, Real alpha, Vec3 start) {
   view.half_sin = turn.s;
   // masking_of_height at cos_o, where both roots are the same.
   view.masking = Real(0.25) / view.root_o;
+  // As it turns in the plane of the view, over how cos_o h.z / (wo.h) does. Where the view grazes it turns less right
+  // beside it.
+  Real still = alpha / view.root_o;
+  view.lean = -view.masking * (still * still) * (view.cos_o / (view.cos_o + alpha));
+  // Schlick's weight, of the mirror direction, turns with wo.h.
+  Real weight = schlick_weight(view.cos_o);
+  Real away2 = (Real(1.0) - view.cos_o) * (Real(1.0) - view.cos_o);
+  view.biased_masking = view.masking * weight;
+  view.biased_lean = view.lean * weight + Real(5.0) * view.masking * view.cos_o * (away2 * away2);
   // c / e with c = 2 u and e = u (1 - cos_o + alpha^2 u), u = 1 + cos_o.
   Real e = Real(1.0) - view.cos_o + view.alpha2 * (Real(1.0) + view.cos_o);
   Real ratio = Real(2.0) / max(e, Real(k_tiny));
   Real d = view.alpha2 * ratio * ratio;
   Real masking = Real(0.5) / (view.root_o + view.cos_o);
-  view.more_at_normal = d * (masking - view.masking);
+  Real off = Real(1.0) - view.cos_o; // sin_o h.x / (wo.h)
+  view.more_at_normal = d * (masking - view.masking + view.lean * off);
+  view.biased_at_normal = d * (masking * schlick_weight_between(view.cos_o) - view.biased_masking +
+                               view.biased_lean * off);
   view.peak =
       max(Real(2.0) * alpha * sqrt(view.sin_o * view.sin_o + view.alpha2 * view.cos_o * view.cos_o),
           Real(k_least_peak));
   view.gather = Real(k_gather_by_peak) * view.peak +
                 min(Real(k_gather_by_cos) * alpha, Real(k_most_gather_by_cos)) * view.cos_o;
-  view.weight = schlick_weight(view.cos_o);
-  view.biased_at_normal =
-      d * (masking * schlick_weight_between(view.cos_o) - view.masking * view.weight);
   return view;
 }
 

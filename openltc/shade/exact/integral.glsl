@@ -21,11 +21,13 @@ FN ExactIntegral exact_integral(GIVEN(ExactView) view, GIVEN(ContourSums) sums, 
   Vec3 wo = Vec3(view.sin_o, Real(0.0), view.cos_o);
   ExactIntegral result;
   result.direction = safe_direction(h * (Real(2.0) * abs(o_h)) - wo);
-  Real mirror = Real(2.0) * view.masking * visible;
+  Real leaning = view.alpha * view.sin_o * v.x;
+  Real known = Real(2.0) * (view.masking * visible - view.lean * leaning);
   Real rest = (sums.masked + view.more_at_normal * sums.solid) * side;
-  result.light = max((mirror + rest) * k_inv_pi, Real(0.0));
+  result.light = max((known + rest) * k_inv_pi, Real(0.0));
+  known = Real(2.0) * (view.biased_masking * visible - view.biased_lean * leaning);
   rest = (sums.biased + view.biased_at_normal * sums.solid) * side;
-  result.bias = min(max((mirror * view.weight + rest) * k_inv_pi, Real(0.0)), result.light);
+  result.bias = min(max((known + rest) * k_inv_pi, Real(0.0)), result.light);
   return result;
 }
 
@@ -95,9 +97,9 @@ FN Real outline_exactness(GIVEN(Surface) s, Vec3 center, Real radius) {
 }
 
 /// Width of a lobe below which Schlick's weight is that of a light's mean direction,
-CONSTANT k_narrow_lobe = 0.01;
-/// and 1 over how much more it takes to be the integrated one alone, from a roughness of 0.25 on.
-CONSTANT k_inv_narrow_lobe_range = 20.0;
+CONSTANT k_narrow_lobe = 0.005;
+/// and 1 over how much more it takes to be the integrated one alone, from a roughness of 0.12 on.
+CONSTANT k_inv_narrow_lobe_range = 100.0;
 
 /// From the diffuse vector irradiance times 2 pi and the exact specular light.
 FN LightIntegral exact_light_integral(GIVEN(Surface) s, Vec3 diffuse, ExactIntegral specular) {

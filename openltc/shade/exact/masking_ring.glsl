@@ -11,13 +11,14 @@
 // whose integral over phi is elementary. f_s cos_i = W(z) D with W = G2 / (4 cos_o) of Smith, so that
 //   integral over a light = contour integral of -W(z) Psi(z, phi) dz,   Psi = integral of D from some phi0 to phi.
 // An arc along the horizon has no dz and counts nothing. Where a light encloses the normal, what is between the
-// outline and the normal at the azimuth opposite of phi0 has to be added. Counted is what W(z) has more than W in
-// the mirror direction, whose part the visible normals have. Near the normal azimuths turn fast: D there times
-// that is taken out of the rings, and added as so much per solid angle.
+// outline and the normal at the azimuth opposite of phi0 has to be added. Counted is what W(z) has beyond what visible
+// normals have of it: masking - lean sin_o h.x / (wo.h), which is W in the mirror direction and near it. On a ring
+// sin_o h.x / (wo.h) = 1 - 2 cos_o u / c. Near the normal azimuths turn fast: D there times what is counted there is
+// taken out of the rings, and added as so much per solid angle.
 //
 // Schlick's weight is a function of c = |wo + wi|^2 alone, and the integrals of D / c and D c over a part of a ring
 // are as elementary as that of D. Its mean there is taken from two values of c that have the same means of 1 / c and
-// c. What counts is W(z) times it beyond that of the mirror direction.
+// c. What counts is W(z) times it, beyond what visible normals have of that.
 
 /// W(z) = f_s cos_i / D of Smith's height-correlated masking.
 FN Real masking_of_height(GIVEN(ExactView) view, Real z) {
@@ -144,8 +145,8 @@ FN Real mean_weight(Real inverse, Real mean, Real low, Real high) {
   return first + (weight_of_square(x) - first) * share;
 }
 
-/// What a ring adds to the visible normals: its masking beyond the mirror direction's, by itself and with
-/// Schlick's weight; pi Psi times that.
+/// What a ring adds to the visible normals: its masking beyond theirs, by itself and with Schlick's weight; pi Psi
+/// times that.
 struct RingLight {
   Real scale; ///< by itself
   Real bias;  ///< with the weight
@@ -162,9 +163,10 @@ FN RingLight ring_light(GIVEN(ExactView) view, Ring ring, RingPowers powers, Rea
   Real weight = mean_weight(c1 * inv_c2, c3 * inv_c2, powers.low + k, powers.high + k);
   Real masking = masking_of_height(view, z);
   Real d = view.alpha2 * c2;
+  Real leaning = view.alpha2 * (c2 - Real(2.0) * view.cos_o * (view.cos_o + z) * c1);
   RingLight light;
-  light.scale = d * (masking - view.masking);
-  light.bias = d * (masking * weight - view.masking * view.weight);
+  light.scale = d * (masking - view.masking) + leaning * view.lean;
+  light.bias = d * (masking * weight - view.biased_masking) + leaning * view.biased_lean;
   return light;
 }
 

@@ -217,7 +217,7 @@ FN_CALL ContourSums add_rings_of_parts(GIVEN(ExactView) view, GIVEN(ContourSums)
 }
 
 /// Cosine of the angle in g between the ends of half an edge from which on it is divided once more.
-CONSTANT k_wide_arc_cos = 0.3;
+CONSTANT k_wide_arc_cos = 0.6;
 /// Cosine of that between the ends of a whole one up to which it is not divided,
 CONSTANT k_narrow_arc_cos = 0.6;
 /// and square of the cosine of the angle at which its control point is seen from them, up to which it keeps to its
@@ -277,9 +277,9 @@ FN_CALL ContourSums add_arc(GIVEN(ExactView) view, GIVEN(ContourSums) so_far, GI
   ConicPoint control = scale_point(m, inv_both * inversesqrt(inv_both));
   ConicTerms arc = conic_terms(from, control, to);
   RingNodes nodes = ring_nodes(view, arc);
-  // Rings are in two parts, without a step, from 60 degrees on to 78, and where the view nearly lies in the surface:
+  // Rings are in two parts, without a step, from 50 degrees on to 70, and where the view nearly lies in the surface:
   // masking turns over little of an arc's height there.
-  Real wide = (Real(0.5) * (p.l * q.l) - dot(p.r, q.r)) * Real(1.0 / 0.3);
+  Real wide = (Real(0.64) * (p.l * q.l) - dot(p.r, q.r)) * Real(1.0 / 0.3);
   wide = max(wide, (Real(k_parted_view_cos) - view.cos_o) * Real(k_inv_parted_view_range));
   wide = min(max(wide, Real(0.0)), Real(1.0));
   // A narrow arc that keeps to its chord is as smooth as the halves of others.

@@ -67,7 +67,8 @@ TEST_CASE("few points: quads that are nothing else, against many points of them"
     if (is_nine) {
       nine.add(shade(exact, polygon.view()), truth);
       ratio_of_nine.add(shade(lobes, polygon.view()), truth);
-    } else {
+    }
+    if (is_four) {
       four.add(shade(adaptive, polygon.view()), truth);
       relative += std::abs(shade(adaptive, polygon.view()) / truth - 1);
       relative_ratio += std::abs(shade(lobes, polygon.view()) / truth - 1);
@@ -85,4 +86,15 @@ TEST_CASE("few points: quads that are nothing else, against many points of them"
   CHECK(four.of_light() < 4e-3);
   CHECK(nine.of_light() < 0.1 * ratio_of_nine.of_light());
   CHECK(relative < 0.5 * relative_ratio);
+}
+
+TEST_CASE("few points: one that rounding puts below the horizon has no light, and takes none") {
+  const f64::Surface s = metal(1.4, 0.3);
+  const Vec3d above(0.3, 0.2, 0.5), below(-0.9, 0.1, -1e-3);
+  const f64::FewPoints one = f64::add_point(s, 0.3, f64::no_points(), above, 1.0);
+  const f64::FewPoints both = f64::add_point(s, 0.3, one, below, 1.0);
+  CHECK(one.scale > 0);
+  CHECK(both.scale == one.scale);
+  CHECK(both.bias == one.bias);
+  CHECK(both.cosine == one.cosine);
 }
