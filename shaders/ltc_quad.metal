@@ -117,6 +117,12 @@ static inline float ltc_quad_area(ltc_Quad quad) {
 // The middle of its area.
 static inline float3 ltc_quad_centroid(ltc_Quad quad) { return quad.center; }
 
+// From there to the middle of the side from corner 1 to 2.
+static inline float3 ltc_quad_half_u(ltc_Quad quad) { return quad.half_u; }
+
+// And of that from 2 to 3.
+static inline float3 ltc_quad_half_v(ltc_Quad quad) { return quad.half_v; }
+
 // The distance of the farthest corner from there.
 static inline float ltc_quad_radius(ltc_Quad quad) {
   return sqrt(dot(quad.half_u, quad.half_u) + dot(quad.half_v, quad.half_v) +
@@ -855,6 +861,15 @@ struct ltc_EdgeSums {
   float outline2;  // square of the mean of the unit vectors to its corners, cosine space
 };
 
+// Of an outline without an edge.
+static inline ltc_EdgeSums ltc_no_edge_sums() {
+  ltc_EdgeSums sums;
+  sums.diffuse = float3(0.0, 0.0, 0.0);
+  sums.specular = sums.diffuse;
+  sums.outline2 = 1.0;
+  return sums;
+}
+
 // Square of the length of a mean, from the sum and the number of its parts.
 static inline float ltc_mean_length2(float3 sum, float count) {
   return dot(sum, sum) / max(count * count, 1.0);
@@ -1196,10 +1211,14 @@ static inline ltc_EdgeSums ltc_sum_convex_quad(float3 corner0, float3 corner1, f
 static inline ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 position,
                                                     ltc_Frame frame, ltc_Lobe lobe, float h,
                                                     bool cut, float3 front) {
-  float3 a = ltc_to_shading(frame, ltc_quad_point(quad, 0) - position);
-  float3 b = ltc_to_shading(frame, ltc_quad_point(quad, 1) - position);
-  float3 c = ltc_to_shading(frame, ltc_quad_point(quad, 2) - position);
-  float3 d = ltc_to_shading(frame, ltc_quad_point(quad, 3) - position);
+  // Its middle and sides take three turns where four corners take four.
+  float3 middle = ltc_to_shading(frame, ltc_quad_centroid(quad) - position);
+  float3 u = ltc_to_shading(frame, ltc_quad_half_u(quad));
+  float3 v = ltc_to_shading(frame, ltc_quad_half_v(quad));
+  float3 a = middle - u - v;
+  float3 b = middle + u - v;
+  float3 c = middle + u + v;
+  float3 d = middle - u + v;
   if (cut) {
     float lowest = min(min(dot(front, a), dot(front, b)), min(dot(front, c), dot(front, d)));
     if (lowest < 0.0) {
@@ -1218,7 +1237,7 @@ static inline ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 positi
 // ---- polygon ------------------------------------------------------------------------------------
 //
 // The integral of a lobe over a polygon, exact, clipped to both horizons: the sum over its edges
-// (polygon_edges.glsl), or where it is small four parts that stand for it. Its sampling: polygon_points.glsl.
+// (polygon_edges.glsl), or where it is small an expansion around its middle. Its sampling: polygon_points.glsl.
 //
 // The prelude of each target gives the polygon, the same for all lanes, in world space:
 //   int  polygon_point_count(Polygon)            rings one after the other, each closed by
@@ -1229,6 +1248,8 @@ static inline ltc_EdgeSums ltc_sum_quad_in_one_lane(ltc_Quad quad, float3 positi
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
 //   bool polygon_is_parallelogram(Polygon)       of four corners; where that is known beforehand
+//   Vec3 polygon_half_u(Polygon), polygon_half_v(Polygon)  of one that is: from its middle to that of
+//                                                the side from corner 1 to 2, and of that from 2 to 3
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -1238,65 +1259,66 @@ struct ltc_SmallPolygon {
   float3 center;     // its centroid
   float3 u;          // its spread, see PolygonMoments
   float3 v;          // and the one across
+  float radius;      // around the centroid
   float area_height; // area times the distance from its plane
 };
 
-// 2 pi times the vector irradiance of a part of a light around p: its density times its solid
-// angle (docs/method.md, section 9). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
-// space, o = M^-1 p.
-static inline float3 ltc_small_part_term(float3 p, float area_height, ltc_Lobe lobe) {
-  float3 o = ltc_to_cosine(lobe, p);
-  float inv_o2 = 1.0 / max(dot(o, o), ltc_k_tiny);
-  return o * (2.0 * area_height * inv_o2 * (lobe.det * inv_o2));
+// What its small form has of a polygon's integral over one lobe.
+struct ltc_SmallShare {
+  float3 sum;     // its part of 2 pi times the vector irradiance
+  float by_edges; // the share, 0..1, of the sums over the edges, which are the rest
+};
+
+// All by the edges.
+static inline ltc_SmallShare ltc_no_small_share() {
+  ltc_SmallShare share;
+  share.sum = float3(0.0, 0.0, 0.0);
+  share.by_edges = 1.0;
+  return share;
 }
 
-// 2 pi times the vector irradiance of a polygon that is small against its distance and wholly above
-// both horizons: four parts, which have its area, centroid and second moments.
-static inline float3 ltc_sum_small_polygon(ltc_SmallPolygon small, ltc_Lobe lobe) {
-  float quarter = 0.25 * small.area_height;
-  float3 sum = float3(0.0, 0.0, 0.0);
-  float3 across = small.u;
-  for (int i = 0; i < 2; ++i) {
-    sum = sum + ltc_small_part_term(small.center + across, quarter, lobe) +
-          ltc_small_part_term(small.center - across, quarter, lobe);
-    across = small.v;
-  }
-  return sum;
-}
+// Square of the angular radius below which the small form is all, 0.03.
+constant float ltc_k_wholly_small_radius2 = 0.0009;
 
-// Square of the angular radius below which the small form begins, 0.05.
+// Square of the one below which it begins, 0.05.
 constant float ltc_k_small_radius2 = 0.0025;
 
-// Angular radius below which it is all.
-constant float ltc_k_wholly_small_radius = 0.03;
-
 // 1 over what lies between, over which the one fades into the other.
-constant float ltc_k_inv_small_range = 50.0;
+constant float ltc_k_inv_small_range = 625.0;
 
-// How much of the edge sums a polygon wants, 0 to 1; the rest is its small form.
+// What a polygon's small form has of its integral: all of one that is small against its distance and wholly above
+// both horizons. With `cut`, what the plane with unit normal `front` may cut is the edges', however small.
 //
 // The edge terms of a small polygon nearly cancel, of which rounding makes 1e-7 over its angular
-// radius, and the coordinates' own rounding the same again. So from a twentieth downwards it is
-// handed over, without a step, to its small form, which is wrong by the fourth power of that radius.
-static inline float ltc_polygon_exactness(float3 center, float radius, ltc_Lobe lobe) {
-  float3 o = ltc_to_cosine(lobe, center);
-  float reach2 = radius * radius * ltc_lobe_stretch2(lobe);
-  float o2 = max(dot(o, o), ltc_k_tiny);
-  // Uniform shortcut: no lane sees it small.
-  if (reach2 >= ltc_k_small_radius2 * o2) {
-    return 1.0;
+// radius, and the coordinates' own rounding the same again. So from a twentieth downwards it is handed over, without a
+// step, to its area, centroid and second moments. At p, o = M^-1 p, a solid angle area h / |p|^3 is det |p|^3 / |o|^3
+// times that in cosine space, so that the density makes o / |o|^4 of it (docs/method.md, section 9). The mean of
+// that over the polygon is here to second order around the centroid: with x = o.u / |o|^2, and y for v,
+//   (o (1 + 6 (x^2 + y^2) - (u^2 + v^2) / |o|^2) - 2 (x u + y v)) / |o|^4,
+// wrong by the fourth power of the angular radius, or the third of a lopsided one: 2e-6 or 1e-5 at 0.03.
+static inline ltc_SmallShare ltc_small_share(ltc_SmallPolygon small, ltc_Lobe lobe, bool cut,
+                                             float3 front) {
+  float3 o = ltc_to_cosine(lobe, small.center);
+  float3 u = ltc_to_cosine(lobe, small.u);
+  float3 v = ltc_to_cosine(lobe, small.v);
+  float inv_o2 = 1.0 / max(dot(o, o), ltc_k_tiny);
+  float reach2 = small.radius * small.radius * ltc_lobe_stretch2(lobe) * inv_o2;
+  bool above = small.center.z > small.radius && o.z > 0.0 && o.z * o.z * inv_o2 > reach2;
+  if (cut) {
+    above = above && dot(front, small.center) > small.radius;
   }
-  float reach = sqrt(reach2);
-  float inv_o = rsqrt(o2);
-  float exact = min(max((reach * inv_o - ltc_k_wholly_small_radius) * ltc_k_inv_small_range, 0.0),
-                    1.0);
-  bool above = center.z > radius && o.z > reach;
-  return above ? exact : 1.0;
-}
-
-// What the small form has of a polygon, of which `exact` is its edges' (polygon_exactness).
-static inline float3 ltc_small_rest(ltc_SmallPolygon small, ltc_Lobe lobe, float exact) {
-  return exact < 1.0 ? ltc_sum_small_polygon(small, lobe) * (1.0 - exact) : float3(0.0, 0.0, 0.0);
+  ltc_SmallShare share;
+  share.by_edges = above ?
+                   min(max((reach2 - ltc_k_wholly_small_radius2) * ltc_k_inv_small_range, 0.0), 1.0) :
+                   1.0;
+  float x = dot(o, u) * inv_o2;
+  float y = dot(o, v) * inv_o2;
+  float middle = 1.0 + 6.0 * (x * x + y * y) - (dot(u, u) + dot(v, v)) * inv_o2;
+  float3 mean = o * middle - (u * x + v * y) * 2.0;
+  float rest = 2.0 * small.area_height * (1.0 - share.by_edges);
+  share.sum = share.by_edges < 1.0 ? mean * (rest * inv_o2 * (lobe.det * inv_o2)) :
+              float3(0.0, 0.0, 0.0);
+  return share;
 }
 
 // EdgeSums.outline2 for what fades into the small form, which lies in one direction.
@@ -1309,17 +1331,6 @@ static inline float ltc_small_outline2(ltc_EdgeSums sums, float exact) {
 static inline float ltc_quad_lit_side(ltc_Quad quad, float h, float3 to_origin) {
   float side = h < 0.0 ? -1.0 : (ltc_quad_two_sided(quad) ? 1.0 : 0.0);
   return ltc_lies_in_plane(h, to_origin, 0.0) ? 0.0 : side;
-}
-
-// A polygon as a point sees it, for its small form; side: see lit_side.
-static inline ltc_SmallPolygon ltc_small_quad(ltc_Quad quad, float3 center, ltc_Frame frame,
-                                              float h, float side) {
-  ltc_SmallPolygon small;
-  small.center = center;
-  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
-  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
-  small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
-  return small;
 }
 
 // What a point knows of a polygon before it asks a lobe.
@@ -1346,15 +1357,16 @@ static inline ltc_PolygonSight ltc_see_quad(ltc_Quad quad, float3 position) {
   return sight;
 }
 
-// polygon_exactness of a polygon whose centroid is at `center`, shading space; what the plane with unit normal
-// `front` may cut is summed by its edges, however small.
-static inline float ltc_exactness_in_front(float3 center, float radius, ltc_Lobe lobe, bool cut,
-                                           float3 front) {
-  float exact = ltc_polygon_exactness(center, radius, lobe);
-  if (cut) {
-    exact = dot(front, center) > radius ? exact : 1.0;
-  }
-  return exact;
+// A polygon as that point sees it, for its small form; center: its centroid, shading space.
+static inline ltc_SmallPolygon ltc_small_quad(ltc_Quad quad, ltc_PolygonSight sight,
+                                              float3 center, ltc_Frame frame) {
+  ltc_SmallPolygon small;
+  small.center = center;
+  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
+  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
+  small.radius = sight.radius;
+  small.area_height = ltc_quad_area(quad) * abs(sight.h) * abs(sight.side);
+  return small;
 }
 
 // The sums over its edges in whichever way suits its outline and what cuts it.
@@ -1375,34 +1387,24 @@ static inline ltc_LightIntegral ltc_integrate_quad_part(ltc_Quad quad, float3 po
                                                         ltc_Frame frame, ltc_Lobe lobe, bool cut,
                                                         float3 front) {
   ltc_PolygonSight sight = ltc_see_quad(quad, position);
-  float3 center = sight.to_center;
-  float exact_diffuse = 1.0;
-  float exact_specular = 1.0;
+  ltc_SmallShare diffuse = ltc_no_small_share();
+  ltc_SmallShare specular = diffuse;
   // Uniform shortcut.
   if (!sight.large) {
-    center = ltc_to_shading(frame, sight.to_center);
-    exact_diffuse = ltc_exactness_in_front(center, sight.radius, ltc_cosine_lobe(), cut, front);
-    exact_specular = ltc_exactness_in_front(center, sight.radius, lobe, cut, front);
+    ltc_SmallPolygon small = ltc_small_quad(quad, sight, ltc_to_shading(frame, sight.to_center),
+                                            frame);
+    diffuse = ltc_small_share(small, ltc_cosine_lobe(), cut, front);
+    specular = ltc_small_share(small, lobe, cut, front);
   }
 
-  ltc_EdgeSums sums;
-  sums.diffuse = float3(0.0, 0.0, 0.0);
-  sums.specular = sums.diffuse;
-  sums.outline2 = 1.0;
-  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  bool lit = sight.side != 0.0;
-  if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
+  ltc_EdgeSums sums = ltc_no_edge_sums();
+  // Uniform shortcut: no lane is on a lit side and wants the edges.
+  if (sight.side != 0.0 && (diffuse.by_edges > 0.0 || specular.by_edges > 0.0)) {
     sums = ltc_sum_quad_edges(quad, position, frame, lobe, sight.h, cut, front);
-    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
-    sums.specular = sums.specular * (sight.side * exact_specular);
   }
-  if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    ltc_SmallPolygon small = ltc_small_quad(quad, center, frame, sight.h, sight.side);
-    sums.diffuse = sums.diffuse + ltc_small_rest(small, ltc_cosine_lobe(), exact_diffuse);
-    sums.specular = sums.specular + ltc_small_rest(small, lobe, exact_specular);
-  }
-  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
-                            ltc_small_outline2(sums, exact_specular));
+  return ltc_light_integral(sums.diffuse * (sight.side * diffuse.by_edges) + diffuse.sum,
+                            sums.specular * (sight.side * specular.by_edges) + specular.sum, lobe,
+                            ltc_small_outline2(sums, specular.by_edges));
 }
 
 // Of a polygon over the plane through `position` with that unit normal, world space.

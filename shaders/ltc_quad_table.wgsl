@@ -151,6 +151,12 @@ fn ltc_quad_area(quad: ltc_Quad) -> f32 {
 // The middle of its area.
 fn ltc_quad_centroid(quad: ltc_Quad) -> vec3f { return quad.center; }
 
+// From there to the middle of the side from corner 1 to 2.
+fn ltc_quad_half_u(quad: ltc_Quad) -> vec3f { return quad.half_u; }
+
+// And of that from 2 to 3.
+fn ltc_quad_half_v(quad: ltc_Quad) -> vec3f { return quad.half_v; }
+
 // The distance of the farthest corner from there.
 fn ltc_quad_radius(quad: ltc_Quad) -> f32 {
   return sqrt(dot(quad.half_u, quad.half_u) + dot(quad.half_v, quad.half_v) +
@@ -807,6 +813,15 @@ struct ltc_EdgeSums {
   outline2: f32,   // square of the mean of the unit vectors to its corners, cosine space
 }
 
+// Of an outline without an edge.
+fn ltc_no_edge_sums() -> ltc_EdgeSums {
+  var sums: ltc_EdgeSums;
+  sums.diffuse = vec3f(0.0, 0.0, 0.0);
+  sums.specular = sums.diffuse;
+  sums.outline2 = 1.0;
+  return sums;
+}
+
 // Square of the length of a mean, from the sum and the number of its parts.
 fn ltc_mean_length2(sum: vec3f, count: f32) -> f32 {
   return dot(sum, sum) / max(count * count, 1.0);
@@ -1146,10 +1161,14 @@ fn ltc_sum_convex_quad(corner0: vec3f, corner1: vec3f, corner2: vec3f, corner3: 
 // plane cuts it, and else as above.
 fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
                             h: f32, cut: bool, front: vec3f) -> ltc_EdgeSums {
-  let a = ltc_to_shading(frame, ltc_quad_point(quad, 0) - position);
-  let b = ltc_to_shading(frame, ltc_quad_point(quad, 1) - position);
-  let c = ltc_to_shading(frame, ltc_quad_point(quad, 2) - position);
-  let d = ltc_to_shading(frame, ltc_quad_point(quad, 3) - position);
+  // Its middle and sides take three turns where four corners take four.
+  let middle = ltc_to_shading(frame, ltc_quad_centroid(quad) - position);
+  let u = ltc_to_shading(frame, ltc_quad_half_u(quad));
+  let v = ltc_to_shading(frame, ltc_quad_half_v(quad));
+  let a = middle - u - v;
+  let b = middle + u - v;
+  let c = middle + u + v;
+  let d = middle - u + v;
   if (cut) {
     let lowest = min(min(dot(front, a), dot(front, b)), min(dot(front, c), dot(front, d)));
     if (lowest < 0.0) {
@@ -1168,7 +1187,7 @@ fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, l
 // ---- polygon ------------------------------------------------------------------------------------
 //
 // The integral of a lobe over a polygon, exact, clipped to both horizons: the sum over its edges
-// (polygon_edges.glsl), or where it is small four parts that stand for it. Its sampling: polygon_points.glsl.
+// (polygon_edges.glsl), or where it is small an expansion around its middle. Its sampling: polygon_points.glsl.
 //
 // The prelude of each target gives the polygon, the same for all lanes, in world space:
 //   int  polygon_point_count(Polygon)            rings one after the other, each closed by
@@ -1179,6 +1198,8 @@ fn ltc_sum_quad_in_one_lane(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, l
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
 //   bool polygon_is_parallelogram(Polygon)       of four corners; where that is known beforehand
+//   Vec3 polygon_half_u(Polygon), polygon_half_v(Polygon)  of one that is: from its middle to that of
+//                                                the side from corner 1 to 2, and of that from 2 to 3
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -1188,66 +1209,66 @@ struct ltc_SmallPolygon {
   center: vec3f,    // its centroid
   u: vec3f,         // its spread, see PolygonMoments
   v: vec3f,         // and the one across
+  radius: f32,      // around the centroid
   area_height: f32, // area times the distance from its plane
 }
 
-// 2 pi times the vector irradiance of a part of a light around p: its density times its solid
-// angle (docs/method.md, section 9). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
-// space, o = M^-1 p.
-fn ltc_small_part_term(p: vec3f, area_height: f32, lobe: ltc_Lobe) -> vec3f {
-  let o = ltc_to_cosine(lobe, p);
-  let inv_o2 = 1.0 / max(dot(o, o), ltc_k_tiny);
-  return o * (2.0 * area_height * inv_o2 * (lobe.det * inv_o2));
+// What its small form has of a polygon's integral over one lobe.
+struct ltc_SmallShare {
+  sum: vec3f,    // its part of 2 pi times the vector irradiance
+  by_edges: f32, // the share, 0..1, of the sums over the edges, which are the rest
 }
 
-// 2 pi times the vector irradiance of a polygon that is small against its distance and wholly above
-// both horizons: four parts, which have its area, centroid and second moments.
-fn ltc_sum_small_polygon(small: ltc_SmallPolygon, lobe: ltc_Lobe) -> vec3f {
-  let quarter = 0.25 * small.area_height;
-  var sum = vec3f(0.0, 0.0, 0.0);
-  var across = small.u;
-  for (var i = 0; i < 2; i++) {
-    sum = sum + ltc_small_part_term(small.center + across, quarter, lobe) +
-          ltc_small_part_term(small.center - across, quarter, lobe);
-    across = small.v;
-  }
-  return sum;
+// All by the edges.
+fn ltc_no_small_share() -> ltc_SmallShare {
+  var share: ltc_SmallShare;
+  share.sum = vec3f(0.0, 0.0, 0.0);
+  share.by_edges = 1.0;
+  return share;
 }
 
-// Square of the angular radius below which the small form begins, 0.05.
+// Square of the angular radius below which the small form is all, 0.03.
+const ltc_k_wholly_small_radius2: f32 = 0.0009;
+
+// Square of the one below which it begins, 0.05.
 const ltc_k_small_radius2: f32 = 0.0025;
 
-// Angular radius below which it is all.
-const ltc_k_wholly_small_radius: f32 = 0.03;
-
 // 1 over what lies between, over which the one fades into the other.
-const ltc_k_inv_small_range: f32 = 50.0;
+const ltc_k_inv_small_range: f32 = 625.0;
 
-// How much of the edge sums a polygon wants, 0 to 1; the rest is its small form.
+// What a polygon's small form has of its integral: all of one that is small against its distance and wholly above
+// both horizons. With `cut`, what the plane with unit normal `front` may cut is the edges', however small.
 //
 // The edge terms of a small polygon nearly cancel, of which rounding makes 1e-7 over its angular
-// radius, and the coordinates' own rounding the same again. So from a twentieth downwards it is
-// handed over, without a step, to its small form, which is wrong by the fourth power of that radius.
-fn ltc_polygon_exactness(center: vec3f, radius: f32, lobe: ltc_Lobe) -> f32 {
-  let o = ltc_to_cosine(lobe, center);
-  let reach2 = radius * radius * ltc_lobe_stretch2(lobe);
-  let o2 = max(dot(o, o), ltc_k_tiny);
-  // Uniform shortcut: no lane sees it small.
-  if (reach2 >= ltc_k_small_radius2 * o2) {
-    return 1.0;
+// radius, and the coordinates' own rounding the same again. So from a twentieth downwards it is handed over, without a
+// step, to its area, centroid and second moments. At p, o = M^-1 p, a solid angle area h / |p|^3 is det |p|^3 / |o|^3
+// times that in cosine space, so that the density makes o / |o|^4 of it (docs/method.md, section 9). The mean of
+// that over the polygon is here to second order around the centroid: with x = o.u / |o|^2, and y for v,
+//   (o (1 + 6 (x^2 + y^2) - (u^2 + v^2) / |o|^2) - 2 (x u + y v)) / |o|^4,
+// wrong by the fourth power of the angular radius, or the third of a lopsided one: 2e-6 or 1e-5 at 0.03.
+fn ltc_small_share(small: ltc_SmallPolygon, lobe: ltc_Lobe, cut: bool,
+                   front: vec3f) -> ltc_SmallShare {
+  let o = ltc_to_cosine(lobe, small.center);
+  let u = ltc_to_cosine(lobe, small.u);
+  let v = ltc_to_cosine(lobe, small.v);
+  let inv_o2 = 1.0 / max(dot(o, o), ltc_k_tiny);
+  let reach2 = small.radius * small.radius * ltc_lobe_stretch2(lobe) * inv_o2;
+  var above = small.center.z > small.radius && o.z > 0.0 && o.z * o.z * inv_o2 > reach2;
+  if (cut) {
+    above = above && dot(front, small.center) > small.radius;
   }
-  let reach = sqrt(reach2);
-  let inv_o = inverseSqrt(o2);
-  let exact = min(max((reach * inv_o - ltc_k_wholly_small_radius) * ltc_k_inv_small_range, 0.0),
-                  1.0);
-  let above = center.z > radius && o.z > reach;
-  return select(1.0, exact, above);
-}
-
-// What the small form has of a polygon, of which `exact` is its edges' (polygon_exactness).
-fn ltc_small_rest(small: ltc_SmallPolygon, lobe: ltc_Lobe, exact: f32) -> vec3f {
-  return select(vec3f(0.0, 0.0, 0.0), ltc_sum_small_polygon(small, lobe) * (1.0 - exact),
-                exact < 1.0);
+  var share: ltc_SmallShare;
+  share.by_edges = select(1.0,
+                          min(max((reach2 - ltc_k_wholly_small_radius2) * ltc_k_inv_small_range,
+                                  0.0), 1.0), above);
+  let x = dot(o, u) * inv_o2;
+  let y = dot(o, v) * inv_o2;
+  let middle = 1.0 + 6.0 * (x * x + y * y) - (dot(u, u) + dot(v, v)) * inv_o2;
+  let mean = o * middle - (u * x + v * y) * 2.0;
+  let rest = 2.0 * small.area_height * (1.0 - share.by_edges);
+  share.sum = select(vec3f(0.0, 0.0, 0.0), mean * (rest * inv_o2 * (lobe.det * inv_o2)),
+                     share.by_edges < 1.0);
+  return share;
 }
 
 // EdgeSums.outline2 for what fades into the small form, which lies in one direction.
@@ -1260,17 +1281,6 @@ fn ltc_small_outline2(sums: ltc_EdgeSums, exact: f32) -> f32 {
 fn ltc_quad_lit_side(quad: ltc_Quad, h: f32, to_origin: vec3f) -> f32 {
   let side = select(select(0.0, 1.0, ltc_quad_two_sided(quad)), -1.0, h < 0.0);
   return select(side, 0.0, ltc_lies_in_plane(h, to_origin, 0.0));
-}
-
-// A polygon as a point sees it, for its small form; side: see lit_side.
-fn ltc_small_quad(quad: ltc_Quad, center: vec3f, frame: ltc_Frame, h: f32,
-                  side: f32) -> ltc_SmallPolygon {
-  var small: ltc_SmallPolygon;
-  small.center = center;
-  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
-  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
-  small.area_height = ltc_quad_area(quad) * abs(h) * abs(side);
-  return small;
 }
 
 // What a point knows of a polygon before it asks a lobe.
@@ -1297,15 +1307,16 @@ fn ltc_see_quad(quad: ltc_Quad, position: vec3f) -> ltc_PolygonSight {
   return sight;
 }
 
-// polygon_exactness of a polygon whose centroid is at `center`, shading space; what the plane with unit normal
-// `front` may cut is summed by its edges, however small.
-fn ltc_exactness_in_front(center: vec3f, radius: f32, lobe: ltc_Lobe, cut: bool,
-                          front: vec3f) -> f32 {
-  var exact = ltc_polygon_exactness(center, radius, lobe);
-  if (cut) {
-    exact = select(1.0, exact, dot(front, center) > radius);
-  }
-  return exact;
+// A polygon as that point sees it, for its small form; center: its centroid, shading space.
+fn ltc_small_quad(quad: ltc_Quad, sight: ltc_PolygonSight, center: vec3f,
+                  frame: ltc_Frame) -> ltc_SmallPolygon {
+  var small: ltc_SmallPolygon;
+  small.center = center;
+  small.u = ltc_to_shading(frame, ltc_quad_spread_u(quad));
+  small.v = ltc_to_shading(frame, ltc_quad_spread_v(quad));
+  small.radius = sight.radius;
+  small.area_height = ltc_quad_area(quad) * abs(sight.h) * abs(sight.side);
+  return small;
 }
 
 // The sums over its edges in whichever way suits its outline and what cuts it.
@@ -1325,34 +1336,23 @@ fn ltc_sum_quad_edges(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: l
 fn ltc_integrate_quad_part(quad: ltc_Quad, position: vec3f, frame: ltc_Frame, lobe: ltc_Lobe,
                            cut: bool, front: vec3f) -> ltc_LightIntegral {
   let sight = ltc_see_quad(quad, position);
-  var center = sight.to_center;
-  var exact_diffuse = 1.0;
-  var exact_specular = 1.0;
+  var diffuse = ltc_no_small_share();
+  var specular = diffuse;
   // Uniform shortcut.
   if (!sight.large) {
-    center = ltc_to_shading(frame, sight.to_center);
-    exact_diffuse = ltc_exactness_in_front(center, sight.radius, ltc_cosine_lobe(), cut, front);
-    exact_specular = ltc_exactness_in_front(center, sight.radius, lobe, cut, front);
+    let small = ltc_small_quad(quad, sight, ltc_to_shading(frame, sight.to_center), frame);
+    diffuse = ltc_small_share(small, ltc_cosine_lobe(), cut, front);
+    specular = ltc_small_share(small, lobe, cut, front);
   }
 
-  var sums: ltc_EdgeSums;
-  sums.diffuse = vec3f(0.0, 0.0, 0.0);
-  sums.specular = sums.diffuse;
-  sums.outline2 = 1.0;
-  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  let lit = sight.side != 0.0;
-  if (lit && (exact_diffuse > 0.0 || exact_specular > 0.0)) {
+  var sums = ltc_no_edge_sums();
+  // Uniform shortcut: no lane is on a lit side and wants the edges.
+  if (sight.side != 0.0 && (diffuse.by_edges > 0.0 || specular.by_edges > 0.0)) {
     sums = ltc_sum_quad_edges(quad, position, frame, lobe, sight.h, cut, front);
-    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
-    sums.specular = sums.specular * (sight.side * exact_specular);
   }
-  if (lit && (exact_diffuse < 1.0 || exact_specular < 1.0)) {
-    let small = ltc_small_quad(quad, center, frame, sight.h, sight.side);
-    sums.diffuse = sums.diffuse + ltc_small_rest(small, ltc_cosine_lobe(), exact_diffuse);
-    sums.specular = sums.specular + ltc_small_rest(small, lobe, exact_specular);
-  }
-  return ltc_light_integral(sums.diffuse, sums.specular, lobe,
-                            ltc_small_outline2(sums, exact_specular));
+  return ltc_light_integral(sums.diffuse * (sight.side * diffuse.by_edges) + diffuse.sum,
+                            sums.specular * (sight.side * specular.by_edges) + specular.sum, lobe,
+                            ltc_small_outline2(sums, specular.by_edges));
 }
 
 // Of a polygon over the plane through `position` with that unit normal, world space.

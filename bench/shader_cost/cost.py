@@ -19,6 +19,7 @@ import json
 import math
 import os
 import sys
+from statistics import median
 
 k_root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path[:0] = [os.path.join(k_root, "tests/parity"), os.path.join(k_root, "tools/shaders")]
@@ -32,7 +33,8 @@ import spirv  # noqa: E402
 k_driver = "/usr/share/vulkan/icd.d/radeon_icd*.json"
 k_family = "navi21"                # RDNA 2
 k_registers, k_waves = 512, 16     # of a lane there, with 64 lanes to a wave; waves share them, so many at most
-k_repeats = 3                      # of what is timed; the best counts
+k_repeats = 3                      # of what a browser compiles; the best counts
+k_runs = 25                        # of what a processor runs
 
 
 def statistics(folder, paths):
@@ -94,7 +96,7 @@ def print_variants(folder):
 
 
 def time_quads(folder, rows):
-    """Nanoseconds a quad, of all processors, as [place][row], and the light of each, likewise."""
+    """Nanoseconds a quad, of all processors, as [place][row][run], and the light of each, as [place][row]."""
     shaders = [spirv.compile_shader(lights.timed_shader(row, folder), folder.path("timed_" + row.file_name))[0]
                for row in rows]
     polygons = folder.path("no_polygons.bin")
@@ -107,11 +109,11 @@ def time_quads(folder, rows):
         cases.write_cases(name, folder.path("cases_%d.bin" % place))
     for place, row, light in names:
         files += [shaders[row], folder.path("cases_%d.bin" % place), light]
-    times = [[math.inf] * len(rows) for _ in cases.k_places]
-    for _ in range(k_repeats):
+    times = [[[] for _ in rows] for _ in cases.k_places]
+    for _ in range(k_runs):
         lines = folder.call_vulkan("vkrun", "--device", "llvmpipe", polygons, *files).splitlines()
         for (place, row, _), line in zip(names, lines[1:]):
-            times[place][row] = min(times[place][row], float(line.split()[2]) / lights.k_quads_per_case)
+            times[place][row].append(float(line.split()[2]) / lights.k_quads_per_case)
     print("processor: %s" % lines[0])
     return times, [[cases.read_light(light) for of, _, light in names if of == place]
                    for place in range(len(cases.k_places))]
@@ -122,13 +124,18 @@ def difference(light, expected):
     return sum(abs(a - b) for a, b in zip(light, expected)) / sum(expected)
 
 
+def median_ratio(times, others):
+    """Of what was timed in the same runs, so that what slows a machine down slows down both."""
+    return median(a / b for a, b in zip(times, others))
+
+
 def print_processor(folder):
     rows = lights.timed_rows()
     times, light = time_quads(folder, rows)
-    usual = [row.light for row in rows].index("usual, sphere")
+    usual = [row.light for row in rows].index("usual, clipped")
     print_table(["light", "lobes"] + ["%s: ns" % place for place in cases.k_places] + ["light, from the first"],
-                [[row.title, row.lobe] + ["%.0f" % of[i] if row.light == lights.k_surface else
-                                           "%.0f (%.1f)" % (of[i], of[i] / of[usual]) for of in times]
+                [[row.title, row.lobe] + ["%.0f" % min(of[i]) if row.light == lights.k_surface else
+                                           "%.0f (%.2f)" % (min(of[i]), median_ratio(of[i], of[usual])) for of in times]
                  + ["" if row.light == lights.k_surface else
                     " / ".join("%.1f %%" % (100.0 * difference(of[i], of[0])) for of in light)]
                  for i, row in enumerate(rows)])

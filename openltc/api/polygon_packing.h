@@ -256,7 +256,7 @@ inline PackedPolygon pack_polygon(const std::vector<Vec3f>& vertices,
     const auto gap = [](double a, double b, double c, double d) { return a - b + c - d; };
     const std::vector<Vec2d>& p = flat_points;
     packed.view.parallelogram = std::hypot(gap(p[0].x, p[1].x, p[2].x, p[3].x),
-                                           gap(p[0].y, p[1].y, p[2].y, p[3].y)) <= 1e-5 * radius;
+                                           gap(p[0].y, p[1].y, p[2].y, p[3].y)) <= 1e-6 * radius;
   }
   detail::store3(packed.view.origin, origin);
   detail::store3(packed.view.axis_u, u);

@@ -74,7 +74,7 @@ FN Real theta_over_sin(Real x, Real sin2) {
 /// vector over its length, times an angle.
 ///
 /// inv_a, inv_b: one over the lengths of a and b.
-FN Vec3 edge_term_scaled(Vec3 a, Vec3 b, Vec3 d, Real inv_a, Real inv_b) {
+FN_INLINE Vec3 edge_term_scaled(Vec3 a, Vec3 b, Vec3 d, Real inv_a, Real inv_b) {
   Real scale = inv_a * inv_b;
   Vec3 c = cross(a, d);
   Real x = dot(a, b) * scale;
@@ -166,7 +166,7 @@ struct EdgeAbove {
 };
 
 /// The edge from a to b, whose inverse lengths are inv_a and inv_b; s: the apex_side of its outline.
-FN EdgeAbove edge_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
+FN_INLINE EdgeAbove edge_above(Vec3 a, Vec3 b, Real s, Real inv_a, Real inv_b) {
   Mask a_up = a.z >= Real(0.0);
   Mask b_up = b.z >= Real(0.0);
   Vec3 d = b - a;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The integral of a lobe over a polygon, exact, clipped to both horizons: the sum over its edges
-// (polygon_edges.glsl), or where it is small four parts that stand for it. Its sampling: polygon_points.glsl.
+// (polygon_edges.glsl), or where it is small an expansion around its middle. Its sampling: polygon_points.glsl.
 //
 // The prelude of each target gives the polygon, the same for all lanes, in world space:
 //   int  polygon_point_count(Polygon)            rings one after the other, each closed by
@@ -13,6 +13,8 @@
 //   Vec3 polygon_normal(Polygon)                 unit, to the emitting side
 //   bool polygon_two_sided(Polygon)
 //   bool polygon_is_parallelogram(Polygon)       of four corners; where that is known beforehand
+//   Vec3 polygon_half_u(Polygon), polygon_half_v(Polygon)  of one that is: from its middle to that of
+//                                                the side from corner 1 to 2, and of that from 2 to 3
 //   Real polygon_area(Polygon)                   square metres
 //   Vec3 polygon_centroid(Polygon), polygon_spread_u(Polygon), polygon_spread_v(Polygon),
 //   Real polygon_radius(Polygon)                 see PolygonMoments; around the centroid
@@ -22,65 +24,65 @@ struct SmallPolygon {
   Vec3 center;      ///< its centroid
   Vec3 u;           ///< its spread, see PolygonMoments
   Vec3 v;           ///< and the one across
+  Real radius;      ///< around the centroid
   Real area_height; ///< area times the distance from its plane
 };
 
-/// 2 pi times the vector irradiance of a part of a light around p: its density times its solid
-/// angle (docs/method.md, section 9). A solid angle area h / |p|^3 is det |p|^3 / |o|^3 times that in cosine
-/// space, o = M^-1 p.
-FN Vec3 small_part_term(Vec3 p, Real area_height, Lobe lobe) {
-  Vec3 o = to_cosine(lobe, p);
-  Real inv_o2 = Real(1.0) / max(dot(o, o), Real(k_tiny));
-  return o * (Real(2.0) * area_height * inv_o2 * (lobe.det * inv_o2));
+/// What its small form has of a polygon's integral over one lobe.
+struct SmallShare {
+  Vec3 sum;      ///< its part of 2 pi times the vector irradiance
+  Real by_edges; ///< the share, 0..1, of the sums over the edges, which are the rest
+};
+
+/// All by the edges.
+FN SmallShare no_small_share() {
+  SmallShare share;
+  share.sum = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  share.by_edges = Real(1.0);
+  return share;
 }
 
-/// 2 pi times the vector irradiance of a polygon that is small against its distance and wholly above
-/// both horizons: four parts, which have its area, centroid and second moments.
-FN Vec3 sum_small_polygon(SmallPolygon small, Lobe lobe) {
-  Real quarter = Real(0.25) * small.area_height;
-  Vec3 sum = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  Vec3 across = small.u;
-  for (int i = 0; i < 2; ++i) {
-    sum = sum + small_part_term(small.center + across, quarter, lobe) +
-          small_part_term(small.center - across, quarter, lobe);
-    across = small.v;
-  }
-  return sum;
-}
-
-/// Square of the angular radius below which the small form begins, 0.05.
+/// Square of the angular radius below which the small form is all, 0.03.
+CONSTANT k_wholly_small_radius2 = 0.0009;
+/// Square of the one below which it begins, 0.05.
 CONSTANT k_small_radius2 = 0.0025;
-/// Angular radius below which it is all.
-CONSTANT k_wholly_small_radius = 0.03;
 /// 1 over what lies between, over which the one fades into the other.
-CONSTANT k_inv_small_range = 50.0;
+CONSTANT k_inv_small_range = 625.0;
 
-/// How much of the edge sums a polygon wants, 0 to 1; the rest is its small form.
+/// What a polygon's small form has of its integral: all of one that is small against its distance and wholly above
+/// both horizons. With `cut`, what the plane with unit normal `front` may cut is the edges', however small.
 ///
 /// The edge terms of a small polygon nearly cancel, of which rounding makes 1e-7 over its angular
-/// radius, and the coordinates' own rounding the same again. So from a twentieth downwards it is
-/// handed over, without a step, to its small form, which is wrong by the fourth power of that radius.
-FN Real polygon_exactness(Vec3 center, Real radius, Lobe lobe) {
-  Vec3 o = to_cosine(lobe, center);
-  Real reach2 = radius * radius * lobe_stretch2(lobe);
-  Real o2 = max(dot(o, o), Real(k_tiny));
-  // Uniform shortcut: no lane sees it small.
-  if (all_lanes(reach2 >= Real(k_small_radius2) * o2)) {
-    return Real(1.0);
+/// radius, and the coordinates' own rounding the same again. So from a twentieth downwards it is handed over, without a
+/// step, to its area, centroid and second moments. At p, o = M^-1 p, a solid angle area h / |p|^3 is det |p|^3 / |o|^3
+/// times that in cosine space, so that the density makes o / |o|^4 of it (docs/method.md, section 9). The mean of
+/// that over the polygon is here to second order around the centroid: with x = o.u / |o|^2, and y for v,
+///   (o (1 + 6 (x^2 + y^2) - (u^2 + v^2) / |o|^2) - 2 (x u + y v)) / |o|^4,
+/// wrong by the fourth power of the angular radius, or the third of a lopsided one: 2e-6 or 1e-5 at 0.03.
+FN_INLINE SmallShare small_share(SmallPolygon small, Lobe lobe, bool cut, Vec3 front) {
+  Vec3 o = to_cosine(lobe, small.center);
+  Vec3 u = to_cosine(lobe, small.u);
+  Vec3 v = to_cosine(lobe, small.v);
+  Real inv_o2 = reciprocal(max(dot(o, o), Real(k_tiny)));
+  Real reach2 = small.radius * small.radius * lobe_stretch2(lobe) * inv_o2;
+  Mask above = small.center.z > small.radius && o.z > Real(0.0) && o.z * o.z * inv_o2 > reach2;
+  if (cut) {
+    above = above && dot(front, small.center) > small.radius;
   }
-  Real reach = sqrt(reach2);
-  Real inv_o = inversesqrt(o2);
-  Real exact =
-      min(max((reach * inv_o - Real(k_wholly_small_radius)) * Real(k_inv_small_range), Real(0.0)),
-          Real(1.0));
-  Mask above = center.z > radius && o.z > reach;
-  return select(above, exact, Real(1.0));
-}
-
-/// What the small form has of a polygon, of which `exact` is its edges' (polygon_exactness).
-FN Vec3 small_rest(SmallPolygon small, Lobe lobe, Real exact) {
-  return select(exact < Real(1.0), sum_small_polygon(small, lobe) * (Real(1.0) - exact),
-                Vec3(Real(0.0), Real(0.0), Real(0.0)));
+  SmallShare share;
+  share.by_edges =
+      select(above,
+             min(max((reach2 - Real(k_wholly_small_radius2)) * Real(k_inv_small_range), Real(0.0)),
+                 Real(1.0)),
+             Real(1.0));
+  Real x = dot(o, u) * inv_o2;
+  Real y = dot(o, v) * inv_o2;
+  Real middle = Real(1.0) + Real(6.0) * (x * x + y * y) - (dot(u, u) + dot(v, v)) * inv_o2;
+  Vec3 mean = o * middle - (u * x + v * y) * Real(2.0);
+  Real rest = Real(2.0) * small.area_height * (Real(1.0) - share.by_edges);
+  share.sum = select(share.by_edges < Real(1.0), mean * (rest * inv_o2 * (lobe.det * inv_o2)),
+                     Vec3(Real(0.0), Real(0.0), Real(0.0)));
+  return share;
 }
 
 /// EdgeSums.outline2 for what fades into the small form, which lies in one direction.
@@ -96,16 +98,6 @@ const int k_quad_points = 5;
 FN Real lit_side(Polygon polygon, Real h, Vec3 to_origin) {
   Real side = select(h < Real(0.0), Real(-1.0), polygon_two_sided(polygon) ? Real(1.0) : Real(0.0));
   return select(lies_in_plane(h, to_origin, Real(0.0)), Real(0.0), side);
-}
-
-/// A polygon as a point sees it, for its small form; side: see lit_side.
-FN SmallPolygon small_polygon(Polygon polygon, Vec3 center, Frame frame, Real h, Real side) {
-  SmallPolygon small;
-  small.center = center;
-  small.u = to_shading(frame, polygon_spread_u(polygon));
-  small.v = to_shading(frame, polygon_spread_v(polygon));
-  small.area_height = polygon_area(polygon) * abs(h) * abs(side);
-  return small;
 }
 
 /// What a point knows of a polygon before it asks a lobe.
@@ -132,19 +124,21 @@ FN PolygonSight see_polygon(Polygon polygon, Vec3 position) {
   return sight;
 }
 
-/// polygon_exactness of a polygon whose centroid is at `center`, shading space; what the plane with unit normal
-/// `front` may cut is summed by its edges, however small.
-FN Real exactness_in_front(Vec3 center, Real radius, Lobe lobe, bool cut, Vec3 front) {
-  Real exact = polygon_exactness(center, radius, lobe);
-  if (cut) {
-    exact = select(dot(front, center) > radius, exact, Real(1.0));
-  }
-  return exact;
+/// A polygon as that point sees it, for its small form; center: its centroid, shading space.
+FN_INLINE SmallPolygon small_polygon(Polygon polygon, PolygonSight sight, Vec3 center,
+                                     Frame frame) {
+  SmallPolygon small;
+  small.center = center;
+  small.u = to_shading(frame, polygon_spread_u(polygon));
+  small.v = to_shading(frame, polygon_spread_v(polygon));
+  small.radius = sight.radius;
+  small.area_height = polygon_area(polygon) * abs(sight.h) * abs(sight.side);
+  return small;
 }
 
 /// The sums over its edges in whichever way suits its outline and what cuts it.
-FN EdgeSums sum_polygon_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h,
-                              bool cut, Vec3 front) {
+FN_INLINE EdgeSums sum_polygon_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h,
+                                     bool cut, Vec3 front) {
   if (one_lane()) {
     if (polygon_is_parallelogram(polygon)) {
       return sum_quad_in_one_lane(polygon, position, frame, lobe, h, cut, front);
@@ -168,36 +162,27 @@ FN EdgeSums sum_polygon_edges(Polygon polygon, Vec3 position, Frame frame, Lobe 
 /// The edge sum of the polygon in cosine space is a vector, its vector irradiance. The z component
 /// is the integral; the direction is the mean direction of the part of the polygon that counts,
 /// and M carries it back to shading space. It tells which Fresnel reflectance that light meets.
-FN LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame frame, Lobe lobe,
-                                        bool cut, Vec3 front) {
+FN_INLINE LightIntegral integrate_polygon_part(Polygon polygon, Vec3 position, Frame frame,
+                                               Lobe lobe, bool cut, Vec3 front) {
   PolygonSight sight = see_polygon(polygon, position);
-  Vec3 center = sight.to_center;
-  Real exact_diffuse = Real(1.0);
-  Real exact_specular = Real(1.0);
+  SmallShare diffuse = no_small_share();
+  SmallShare specular = diffuse;
   // Uniform shortcut.
   if (!sight.large) {
-    center = to_shading(frame, sight.to_center);
-    exact_diffuse = exactness_in_front(center, sight.radius, cosine_lobe(), cut, front);
-    exact_specular = exactness_in_front(center, sight.radius, lobe, cut, front);
+    SmallPolygon small = small_polygon(polygon, sight, to_shading(frame, sight.to_center), frame);
+    diffuse = small_share(small, cosine_lobe(), cut, front);
+    specular = small_share(small, lobe, cut, front);
   }
 
-  EdgeSums sums;
-  sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  sums.specular = sums.diffuse;
-  sums.outline2 = Real(1.0);
-  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  Mask lit = sight.side != Real(0.0);
-  if (any_lane(lit && (exact_diffuse > Real(0.0) || exact_specular > Real(0.0)))) {
+  EdgeSums sums = no_edge_sums();
+  // Uniform shortcut: no lane is on a lit side and wants the edges.
+  if (any_lane(sight.side != Real(0.0) &&
+               (diffuse.by_edges > Real(0.0) || specular.by_edges > Real(0.0)))) {
     sums = sum_polygon_edges(polygon, position, frame, lobe, sight.h, cut, front);
-    sums.diffuse = sums.diffuse * (sight.side * exact_diffuse);
-    sums.specular = sums.specular * (sight.side * exact_specular);
   }
-  if (any_lane(lit && (exact_diffuse < Real(1.0) || exact_specular < Real(1.0)))) {
-    SmallPolygon small = small_polygon(polygon, center, frame, sight.h, sight.side);
-    sums.diffuse = sums.diffuse + small_rest(small, cosine_lobe(), exact_diffuse);
-    sums.specular = sums.specular + small_rest(small, lobe, exact_specular);
-  }
-  return light_integral(sums.diffuse, sums.specular, lobe, small_outline2(sums, exact_specular));
+  return light_integral(sums.diffuse * (sight.side * diffuse.by_edges) + diffuse.sum,
+                        sums.specular * (sight.side * specular.by_edges) + specular.sum, lobe,
+                        small_outline2(sums, specular.by_edges));
 }
 
 /// The integrals over a polygon for two lobes.
@@ -210,48 +195,36 @@ struct TwoIntegrals {
 FN TwoIntegrals integrate_polygon_twice(Polygon polygon, Vec3 position, Frame frame, Lobe first,
                                         Lobe second) {
   PolygonSight sight = see_polygon(polygon, position);
-  Vec3 center = sight.to_center;
-  Real exact_diffuse = Real(1.0);
-  Real exact_first = Real(1.0);
-  Real exact_second = Real(1.0);
+  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  SmallShare diffuse = no_small_share();
+  SmallShare one = diffuse;
+  SmallShare two = diffuse;
   // Uniform shortcut.
   if (!sight.large) {
-    center = to_shading(frame, sight.to_center);
-    exact_diffuse = polygon_exactness(center, sight.radius, cosine_lobe());
-    exact_first = polygon_exactness(center, sight.radius, first);
-    exact_second = polygon_exactness(center, sight.radius, second);
+    SmallPolygon small = small_polygon(polygon, sight, to_shading(frame, sight.to_center), frame);
+    diffuse = small_share(small, cosine_lobe(), false, none);
+    one = small_share(small, first, false, none);
+    two = small_share(small, second, false, none);
   }
-  Vec3 none = Vec3(Real(0.0), Real(0.0), Real(0.0));
-  EdgeSums a;
-  a.diffuse = none;
-  a.specular = none;
-  a.outline2 = Real(1.0);
+  EdgeSums a = no_edge_sums();
   EdgeSums b = a;
-  // Uniform shortcuts: no lane is on a lit side, or wants one form or the other.
-  Mask lit = sight.side != Real(0.0);
-  Real most = max(exact_diffuse, max(exact_first, exact_second));
-  if (any_lane(lit && most > Real(0.0))) {
+  // Uniform shortcut: no lane is on a lit side and wants the edges.
+  Real most = max(diffuse.by_edges, max(one.by_edges, two.by_edges));
+  if (any_lane(sight.side != Real(0.0) && most > Real(0.0))) {
     a = sum_polygon_edges(polygon, position, frame, first, sight.h, false, none);
     b = sum_polygon_edges(polygon, position, frame, second, sight.h, false, none);
-    a.diffuse = a.diffuse * (sight.side * exact_diffuse);
-    a.specular = a.specular * (sight.side * exact_first);
-    b.specular = b.specular * (sight.side * exact_second);
   }
-  Real least = min(exact_diffuse, min(exact_first, exact_second));
-  if (any_lane(lit && least < Real(1.0))) {
-    SmallPolygon small = small_polygon(polygon, center, frame, sight.h, sight.side);
-    a.diffuse = a.diffuse + small_rest(small, cosine_lobe(), exact_diffuse);
-    a.specular = a.specular + small_rest(small, first, exact_first);
-    b.specular = b.specular + small_rest(small, second, exact_second);
-  }
+  Vec3 lambert = a.diffuse * (sight.side * diffuse.by_edges) + diffuse.sum;
   TwoIntegrals both;
-  both.first = light_integral(a.diffuse, a.specular, first, small_outline2(a, exact_first));
-  both.second = light_integral(a.diffuse, b.specular, second, small_outline2(b, exact_second));
+  both.first = light_integral(lambert, a.specular * (sight.side * one.by_edges) + one.sum, first,
+                              small_outline2(a, one.by_edges));
+  both.second = light_integral(lambert, b.specular * (sight.side * two.by_edges) + two.sum, second,
+                               small_outline2(b, two.by_edges));
   return both;
 }
 
 /// integrate_polygon_part over all of it.
-FN LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
+FN_INLINE LightIntegral integrate_polygon(Polygon polygon, Vec3 position, Frame frame, Lobe lobe) {
   return integrate_polygon_part(polygon, position, frame, lobe, false,
                                 Vec3(Real(0.0), Real(0.0), Real(1.0)));
 }

@@ -19,6 +19,15 @@ struct EdgeSums {
   Real outline2; ///< square of the mean of the unit vectors to its corners, cosine space
 };
 
+/// Of an outline without an edge.
+FN EdgeSums no_edge_sums() {
+  EdgeSums sums;
+  sums.diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  sums.specular = sums.diffuse;
+  sums.outline2 = Real(1.0);
+  return sums;
+}
+
 /// A corner of an outline as a point sees it.
 struct Corner {
   Vec3 p;     ///< shading space
@@ -38,7 +47,7 @@ FN Corner corner_at(Vec3 p, Lobe lobe) {
 }
 
 /// Corner i of a polygon as `position`, world space, sees it.
-FN Corner corner_seen(Polygon polygon, int i, Vec3 position, Frame frame, Lobe lobe) {
+FN_INLINE Corner corner_seen(Polygon polygon, int i, Vec3 position, Frame frame, Lobe lobe) {
   return corner_at(to_shading(frame, polygon_point(polygon, i) - position), lobe);
 }
 
@@ -164,7 +173,7 @@ FN_CALL EdgeSums sum_edges_in_front(Polygon polygon, Vec3 position, GIVEN(Frame)
 }
 
 /// The point where an edge crosses the surface's horizon.
-FN Corner horizon_corner(Corner a, Corner b, Lobe lobe) {
+FN_INLINE Corner horizon_corner(Corner a, Corner b, Lobe lobe) {
   Real t = crossing_place(a.p.z, b.p.z);
   return corner_at(Vec3(a.p.x + (b.p.x - a.p.x) * t, a.p.y + (b.p.y - a.p.y) * t, Real(0.0)), lobe);
 }
@@ -173,7 +182,8 @@ FN Corner horizon_corner(Corner a, Corner b, Lobe lobe) {
 /// outline is clipped as scalar code would, once for both integrals, and closed by a whole edge. In
 /// cosine space lanes differ: there each edge is clipped by itself, and the turns that close them
 /// are multiplied, for a single angle in the end. They all lead the same way round, which h tells.
-FN EdgeSums sum_clipped_quad(Corner a, Corner b, Corner c, Corner d, Real s, Real h, Lobe lobe) {
+FN_INLINE EdgeSums sum_clipped_quad(Corner a, Corner b, Corner c, Corner d, Real s, Real h,
+                                    Lobe lobe) {
   // Corners at even places, the cuts of the edges that leave them at odd ones, those in use by turns.
   Corner points[8];
   points[0] = a;
@@ -216,7 +226,8 @@ FN EdgeSums sum_clipped_quad(Corner a, Corner b, Corner c, Corner d, Real s, Rea
 }
 
 /// The same with all corners above the surface's horizon in all lanes: nothing is cut but in cosine space.
-FN EdgeSums sum_quad_above(Corner a, Corner b, Corner c, Corner d, Real s, Real h, Lobe lobe) {
+FN_INLINE EdgeSums sum_quad_above(Corner a, Corner b, Corner c, Corner d, Real s, Real h,
+                                  Lobe lobe) {
   EdgeSums sums;
   sums.outline2 = Real(0.0);
   sums.diffuse = whole_diffuse_term(a, b) + whole_diffuse_term(b, c) + whole_diffuse_term(c, d) +
@@ -228,7 +239,7 @@ FN EdgeSums sum_quad_above(Corner a, Corner b, Corner c, Corner d, Real s, Real 
 }
 
 /// sum_edges for four corners above both horizons: nothing is cut.
-FN EdgeSums sum_whole_quad(Corner a, Corner b, Corner c, Corner d) {
+FN_INLINE EdgeSums sum_whole_quad(Corner a, Corner b, Corner c, Corner d) {
   EdgeSums sums;
   sums.outline2 =
       mean_length2(a.o * a.inv_o + b.o * b.inv_o + c.o * c.inv_o + d.o * d.inv_o, Real(4.0));
@@ -240,7 +251,7 @@ FN EdgeSums sum_whole_quad(Corner a, Corner b, Corner c, Corner d) {
 }
 
 /// sum_edges for four corners, which are seen once each.
-FN EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h) {
+FN_INLINE EdgeSums sum_quad_edges(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h) {
   Corner a = corner_seen(polygon, 0, position, frame, lobe);
   Corner b = corner_seen(polygon, 1, position, frame, lobe);
   Corner c = corner_seen(polygon, 2, position, frame, lobe);

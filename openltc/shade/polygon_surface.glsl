@@ -94,10 +94,8 @@ FN ExactIntegral polygon_by_points(GIVEN(Surface) s, Polygon polygon, Vec3 cente
   Real root_o = root2 * inversesqrt(root2);
   FewPoints sums;
   if (takes_nine_points(s, polygon)) {
-    Vec3 b = polygon_point(polygon, 1);
-    sums = sum_nine_points(s, root_o, center,
-                           to_shading(s.frame, b - polygon_point(polygon, 0)) * Real(0.5),
-                           to_shading(s.frame, polygon_point(polygon, 2) - b) * Real(0.5));
+    sums = sum_nine_points(s, root_o, center, to_shading(s.frame, polygon_half_u(polygon)),
+                           to_shading(s.frame, polygon_half_v(polygon)));
   } else {
     sums = sum_four_points(s, root_o, center, to_shading(s.frame, polygon_spread_u(polygon)),
                            to_shading(s.frame, polygon_spread_v(polygon)));
@@ -114,10 +112,10 @@ FN_CALL LightIntegral exact_polygon_integral(GIVEN(Surface) s, Polygon polygon, 
   Heights over = polygon_heights(polygon, s.position, s.frame.n);
   bool cut = triangle_may_cut(s, polygon);
   Vec3 front = front_shading(s);
-  Real exact_diffuse = Real(1.0);
+  SmallShare small = no_small_share();
   // Uniform shortcut.
   if (!sight.large) {
-    exact_diffuse = exactness_in_front(center, sight.radius, cosine_lobe(), cut, front);
+    small = small_share(small_polygon(polygon, sight, center, s.frame), cosine_lobe(), cut, front);
   }
 
   // All crossings of the horizon are within a right angle of the foot of the polygon's plane there.
@@ -125,7 +123,7 @@ FN_CALL LightIntegral exact_polygon_integral(GIVEN(Surface) s, Polygon polygon, 
   Real reach = sqrt(dot(center, center)) + sight.radius;
   ExactView view =
       exact_view(s.wo, s.alpha, select(over.low <= Real(k_in_horizon) * reach, foot, center));
-  Vec3 diffuse = Vec3(Real(0.0), Real(0.0), Real(0.0));
+  Vec3 diffuse = small.sum;
   ExactIntegral specular;
   specular.light = Real(0.0);
   specular.bias = Real(0.0);
@@ -138,12 +136,8 @@ FN_CALL LightIntegral exact_polygon_integral(GIVEN(Surface) s, Polygon polygon, 
     } else {
       sums = sum_exact_edges(polygon, s, view, sight.h);
     }
-    diffuse = sums.diffuse * (sight.side * exact_diffuse);
+    diffuse = diffuse + sums.diffuse * (sight.side * small.by_edges);
     specular = exact_integral(view, sums.contour, sight.side);
-  }
-  if (any_lane(exact_diffuse < Real(1.0))) {
-    SmallPolygon small = small_polygon(polygon, center, s.frame, sight.h, sight.side);
-    diffuse = diffuse + small_rest(small, cosine_lobe(), exact_diffuse);
   }
   if (any_lane(lit && points > Real(0.0))) {
     ExactIntegral few = polygon_by_points(s, polygon, center, diffuse);
@@ -205,7 +199,7 @@ FN LightIntegral polygon_integral_in_one_lane(GIVEN(Surface) s, Polygon polygon)
 }
 
 /// The integral by the lobes. Uniform shortcut: no lane's triangle reaches the light.
-FN LightIntegral lobes_polygon_integral(GIVEN(Surface) s, Polygon polygon) {
+FN_INLINE LightIntegral lobes_polygon_integral(GIVEN(Surface) s, Polygon polygon) {
   if (one_lane()) {
     return polygon_integral_in_one_lane(s, polygon);
   }
@@ -252,9 +246,9 @@ FN LightIntegral polygon_integral_by_points(GIVEN(Surface) s, Polygon polygon) {
   Vec3 diffuse = sum_whole_diffuse(polygon, s.position, s.frame) * sight.side;
   // Uniform shortcut.
   if (!sight.large) {
-    Real exact = polygon_exactness(center, sight.radius, cosine_lobe());
-    SmallPolygon small = small_polygon(polygon, center, s.frame, sight.h, sight.side);
-    diffuse = diffuse * exact + small_rest(small, cosine_lobe(), exact);
+    SmallShare small = small_share(small_polygon(polygon, sight, center, s.frame), cosine_lobe(),
+                                   false, s.frame.n);
+    diffuse = diffuse * small.by_edges + small.sum;
   }
   ExactIntegral specular = polygon_by_points(s, polygon, center, diffuse);
   LightIntegral integral = exact_light_integral(s, diffuse, specular);

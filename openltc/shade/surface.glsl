@@ -54,8 +54,8 @@ FN Real fresnel_weight(Vec3 wo, Vec3 wi) {
 /// Prepares a point for shading. `fitted` is the lobe of alpha_from_roughness(roughness) and
 /// dot(normal, wo_world), from a table or a polynomial. `normal` and `wo_world` are unit; `albedo`
 /// is (1 - metallic) c.
-FN Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_world, Vec3 albedo,
-                        Vec3 f0, Vec3 f90, Real roughness) {
+FN_INLINE Surface make_surface(FittedLobe fitted, Vec3 position, Vec3 normal, Vec3 wo_world,
+                               Vec3 albedo, Vec3 f0, Vec3 f90, Real roughness) {
   ASSERT_THAT(is_unit(normal) && is_unit(wo_world));
   Surface s;
   s.position = position;
@@ -199,8 +199,8 @@ FN Mask has_side(GIVEN(Surface) s, Vec3 origin, Vec3 normal) {
 }
 
 /// An integral without what lanes have without a side of a flat light.
-FN LightIntegral unless_in_plane(GIVEN(Surface) s, Vec3 origin, Vec3 normal,
-                                 LightIntegral integral) {
+FN_INLINE LightIntegral unless_in_plane(GIVEN(Surface) s, Vec3 origin, Vec3 normal,
+                                        LightIntegral integral) {
   Mask sided = has_side(s, origin, normal);
   integral.diffuse = select(sided, integral.diffuse, Real(0.0));
   integral.specular = select(sided, integral.specular, Real(0.0));
@@ -297,7 +297,8 @@ FN Vec3 exact_reflectance(GIVEN(Surface) s, Real weight, Real light) {
 
 /// Light of radiance 1 whose specular part has this weight of F90 over F0, and the share `filled` of n1; where the
 /// integral is that of GGX itself, its own.
-FN ShadedLight shade_filled(GIVEN(Surface) s, LightIntegral integral, Real weight, Real filled) {
+FN_INLINE ShadedLight shade_filled(GIVEN(Surface) s, LightIntegral integral, Real weight,
+                                   Real filled) {
   ShadedLight shaded;
   shaded.diffuse = s.diffuse * integral.diffuse;
   shaded.specular = reflectance_of_weight(s, weight, filled);

@@ -38,7 +38,7 @@ FN Real table_coordinate(Real x, Real size) {
 
 /// The lobe and amplitudes at x = sqrt(alpha) and the cosine of the view angle. `width` is what the
 /// table factors out of M^-1: alpha, or 1 for a BRDF whose lobe stays wide.
-FN FittedLobe fetch_lobe_of_width(LobeTable table, Real x, Real width, Real cos_theta) {
+FN_INLINE FittedLobe fetch_lobe_of_width(LobeTable table, Real x, Real width, Real cos_theta) {
   Real c = min(max(cos_theta, Real(0.0)), Real(1.0));
   LobeTexel texel = lobe_table_texel(table, Vec2(x, sqrt(Real(1.0) - c)));
   FittedLobe fitted;
@@ -49,12 +49,12 @@ FN FittedLobe fetch_lobe_of_width(LobeTable table, Real x, Real width, Real cos_
 }
 
 /// The same of a microfacet BRDF's table, for its width alpha.
-FN FittedLobe fetch_lobe(LobeTable table, Real alpha, Real cos_theta) {
+FN_INLINE FittedLobe fetch_lobe(LobeTable table, Real alpha, Real cos_theta) {
   return fetch_lobe_of_width(table, sqrt(alpha), alpha, cos_theta);
 }
 
 /// fetch_lobe of alpha_from_roughness(roughness).
-FN FittedLobe fetch_lobe_of_roughness(LobeTable table, Real roughness, Real cos_theta) {
+FN_INLINE FittedLobe fetch_lobe_of_roughness(LobeTable table, Real roughness, Real cos_theta) {
   return fetch_lobe_of_width(table, max(roughness, Real(k_min_roughness)),
                              alpha_from_roughness(roughness), cos_theta);
 }

@@ -112,7 +112,7 @@ private:
       take("=");
       result.body = expression();
       take(";");
-    } else if (first == "FN" || first == "FN_CALL") {
+    } else if (first == "FN" || first == "FN_INLINE" || first == "FN_CALL") {
       result.type = word();
       result.name = word();
       take("(");
@@ -129,7 +129,7 @@ private:
       take(")");
       result.body = statement();
     } else {
-      expected("struct, CONSTANT, const, FN or FN_CALL");
+      expected("struct, CONSTANT, const, FN, FN_INLINE or FN_CALL");
     }
     return result;
   }

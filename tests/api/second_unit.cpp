@@ -3,7 +3,7 @@
 
 #include "second_unit.h"
 
-#if defined(FN) || defined(FN_CALL) || defined(CONSTANT)
+#if defined(FN) || defined(FN_INLINE) || defined(FN_CALL) || defined(CONSTANT)
 #error "the public header leaves macros behind"
 #endif
 

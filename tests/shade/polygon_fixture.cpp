@@ -120,7 +120,7 @@ TestPolygon::TestPolygon(const std::vector<Ring>& rings, Vec3d origin, Vec3d axi
   // As lights are packed.
   if (flat.size() == 5) {
     const Vec2d gap = flat[0] - flat[1] + flat[2] - flat[3];
-    view_.parallelogram = std::hypot(gap.x, gap.y) <= 1e-5f * view_.radius;
+    view_.parallelogram = std::hypot(gap.x, gap.y) <= 1e-6f * view_.radius;
   }
   const auto store = [](Vec3d v, float* to) {
     to[0] = float(v.x);

@@ -198,6 +198,6 @@ TEST_CASE("what is not the dialect is named with its place") {
   CHECK(error_of("FN Real f(const Real& a) { return a; }") ==
         "test.glsl:1: no word of the dialect begins with '&'");
   CHECK(error_of("Real f(Real a) { return a; }") ==
-        "test.glsl:1: expected struct, CONSTANT, const, FN or FN_CALL, not 'f'");
+        "test.glsl:1: expected struct, CONSTANT, const, FN, FN_INLINE or FN_CALL, not 'f'");
   CHECK(error_of("FN Real f(") == "test.glsl:1: expected a name, not ''");
 }

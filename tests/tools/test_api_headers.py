@@ -64,6 +64,7 @@ k_foreign = """
 #define INFO(text) (text)
 #define ASSERT_THAT(value, matcher) while (matcher == value)
 #define FN 1
+#define FN_INLINE 4
 #define FN_CALL 2
 #define CONSTANT 3
 """

@@ -107,7 +107,7 @@ class Reference(unittest.TestCase):
             dialect = read(os.path.join(pages, "namespaceopenltc_1_1f32.html"))
             self.assertIn(">shade_sphere<", dialect)
             self.assertIn("constexpr float", dialect)
-            self.assertNotRegex(dialect, r"\b(Real|Mask|FN|FN_CALL|CONSTANT)\b")
+            self.assertNotRegex(dialect, r"\b(Real|Mask|FN|FN_INLINE|FN_CALL|CONSTANT)\b")
             self.assertFalse([name for name in os.listdir(pages) if "openltc_1_1detail" in name])
             # The names of the first page lead to theirs.
             self.assertRegex(read(os.path.join(pages, "index.html")), r'href="[^"]*">make_surface\(')

@@ -82,7 +82,7 @@ CONSTANT k_four_points_radius = 0.03;
 CONSTANT k_inv_four_points_range = 50.0;
 
 /// How much of the integral along its outline a light wants, 0 to 1, of that centre, shading space, and radius:
-/// see polygon_exactness.
+/// see small_share.
 FN Real outline_exactness(GIVEN(Surface) s, Vec3 center, Real radius) {
   Real inv_length = inverse_length(center);
   Vec3 sum = center * inv_length + s.wo;

@@ -152,10 +152,14 @@ FN EdgeSums sum_convex_quad(Vec3 corner0, Vec3 corner1, Vec3 corner2, Vec3 corne
 /// plane cuts it, and else as above.
 FN EdgeSums sum_quad_in_one_lane(Polygon polygon, Vec3 position, Frame frame, Lobe lobe, Real h,
                                  bool cut, Vec3 front) {
-  Vec3 a = to_shading(frame, polygon_point(polygon, 0) - position);
-  Vec3 b = to_shading(frame, polygon_point(polygon, 1) - position);
-  Vec3 c = to_shading(frame, polygon_point(polygon, 2) - position);
-  Vec3 d = to_shading(frame, polygon_point(polygon, 3) - position);
+  // Its middle and sides take three turns where four corners take four.
+  Vec3 middle = to_shading(frame, polygon_centroid(polygon) - position);
+  Vec3 u = to_shading(frame, polygon_half_u(polygon));
+  Vec3 v = to_shading(frame, polygon_half_v(polygon));
+  Vec3 a = middle - u - v;
+  Vec3 b = middle + u - v;
+  Vec3 c = middle + u + v;
+  Vec3 d = middle - u + v;
   if (cut) {
     Real lowest = min(min(dot(front, a), dot(front, b)), min(dot(front, c), dot(front, d)));
     if (any_lane(lowest < Real(0.0))) {

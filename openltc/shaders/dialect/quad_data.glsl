@@ -39,6 +39,12 @@ FN Real quad_area(Quad quad) {
 /// The middle of its area.
 FN Vec3 quad_centroid(Quad quad) { return quad.center; }
 
+/// From there to the middle of the side from corner 1 to 2.
+FN Vec3 quad_half_u(Quad quad) { return quad.half_u; }
+
+/// And of that from 2 to 3.
+FN Vec3 quad_half_v(Quad quad) { return quad.half_v; }
+
 /// The distance of the farthest corner from there.
 FN Real quad_radius(Quad quad) {
   return sqrt(dot(quad.half_u, quad.half_u) + dot(quad.half_v, quad.half_v) +
