@@ -81,10 +81,11 @@ def print_static(folder, rows=None):
     modules = [spirv.compile_shader(lights.shader(row, folder), folder.path(row.file_name)) for row in rows]
     told = measure_amd(folder, [optimised for _, optimised in modules])
     lines = [[row.title, row.lobe, "%d" % spirv.count_instructions(compiled),
-              "%d" % spirv.count_instructions(optimised)] + amd_cells(amd)
+              "%d" % spirv.count_instructions(optimised), "%d" % spirv.count_in_functions(optimised)] + amd_cells(amd)
              + ["%d" % spirv.constant_bytes(optimised), "%d" % (row.texture_bytes // 1024)]
              for row, (compiled, optimised), amd in zip(rows, modules, told)]
-    print_table(["light", "lobes", "SPIR-V", "`-O`"] + k_amd_head + ["bytes of constants", "KiB of textures"], lines)
+    print_table(["light", "lobes", "SPIR-V", "`-O`", "in functions"] + k_amd_head
+                + ["bytes of constants", "KiB of textures"], lines)
 
 
 def print_variants(folder):

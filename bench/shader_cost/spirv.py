@@ -13,6 +13,7 @@ import parity
 # Opcodes of what a program does not execute and a driver does not keep: names, decorations, sources.
 k_annotations = {2, 3, 4, 5, 6, 7, 8, 71, 72, 73, 74, 75}
 k_type_float, k_constant = 22, 43
+k_function, k_function_end = 54, 56
 
 
 def run(command, package):
@@ -49,6 +50,17 @@ def instructions(path):
 def count_instructions(path):
     """Instructions, types and constants among them, without names and decorations."""
     return sum(1 for words in instructions(path) if words[0] & 0xffff not in k_annotations)
+
+
+def count_in_functions(path):
+    """Those of its functions alone: what it executes, without types and constants."""
+    count, inside = 0, False
+    for words in instructions(path):
+        opcode = words[0] & 0xffff
+        inside = inside or opcode == k_function
+        count += inside and opcode not in k_annotations
+        inside = inside and opcode != k_function_end
+    return count
 
 
 def constant_bytes(path):

@@ -45,6 +45,9 @@ class Test(unittest.TestCase):
         names = re.compile(r"^\s*(;|Op(Name|MemberName|Decorate|MemberDecorate|Source|String)\b|$)")
         self.assertEqual(spirv.count_instructions(module),
                          sum(1 for line in text.splitlines() if not names.match(line)))
+        functions = re.findall(r"= OpFunction .*?OpFunctionEnd", text, re.S)
+        self.assertEqual(spirv.count_in_functions(module), sum(len(text.splitlines()) for text in functions))
+        self.assertGreater(spirv.count_in_functions(module), 100)
         self.assertEqual(spirv.constant_bytes(module), 4 * len(re.findall(r"= OpConstant %float ", text)))
 
     def test_every_cell_has_a_number(self):
